@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The cloud as every stage reads it: structure of arrays, converted once from a message or a file.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace primitect {
+
+/// Which depths count, along z of the sensor's optical frame, in metres; a bound of 0 is off.
+struct DepthRange {
+  float min = 0.0f;
+  float max = 0.0f;
+
+  /// Written so that NaN fails (REP 117).
+  bool contains(float z) const { return (min <= 0.0f || min <= z) && (max <= 0.0f || z <= max); }
+};
+
+/// Points of one frame, in metres. A missing point is NaN in x, y and z; a missing normal is NaN in nx, ny and nz.
+struct Cloud {
+  std::vector<float> x, y, z;     ///< width * height points, row by row
+  std::vector<float> nx, ny, nz;  ///< unit normals as long as x, or empty when the source brought none
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;       ///< above 1: organized, a pixel's neighbours are its neighbours in space
+  std::uint32_t valid_count = 0;  ///< points that are not missing
+
+  std::size_t size() const { return x.size(); }
+  bool organized() const { return height > 1; }
+  bool hasNormals() const { return !nx.empty() && nx.size() == x.size(); }
+  bool valid(std::size_t i) const { return !std::isnan(z[i]); }
+
+  /// Makes room for width * height points, all missing; keeps the memory of earlier frames.
+  void reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
+
+  /// Stores a point; (0, 0, 0), anything not finite and depths outside the range become missing.
+  void setPoint(std::size_t i, float px, float py, float pz, const DepthRange& range) {
+    const bool measured = std::isfinite(px) && std::isfinite(py) && std::isfinite(pz) &&
+                          !(px == 0.0f && py == 0.0f && pz == 0.0f) && range.contains(pz);
+    constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+    x[i] = measured ? px : kMissing;
+    y[i] = measured ? py : kMissing;
+    z[i] = measured ? pz : kMissing;
+    valid_count += measured ? 1u : 0u;
+  }
+
+  /// Stores a normal, scaled to unit length; one that is not finite or shorter than 1e-6 becomes missing.
+  void setNormal(std::size_t i, float px, float py, float pz);
+};
+
+}  // namespace primitect

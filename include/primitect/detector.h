@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The detector: a cloud in, primitives out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "primitect/cloud.h"
+#include "primitect/params.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// The samples of the last frame with their normals, structure of arrays, m.
+struct SampleView {
+  const std::vector<float>&x, &y, &z, &nx, &ny, &nz;
+};
+
+/// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit.
+/// One detector serves one thread; its buffers are reused from frame to frame.
+class Detector {
+ public:
+  /// Throws std::invalid_argument naming parameter, value and range when a parameter is out of its range.
+  explicit Detector(const Params& params);
+  ~Detector();
+  Detector(Detector&&) noexcept;
+  Detector& operator=(Detector&&) noexcept;
+
+  const Params& params() const;
+
+  /// Never throws on data: an unusable cloud gives no primitives and the reason in status.
+  /// The result is valid until the next call.
+  const Detections& detect(const Cloud& cloud);
+
+  /// The label of each point of the cloud given to the last detect(): index of its detection + 1, 0 = none.
+  void label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const;
+
+  /// Samples of the last frame and their normals.
+  SampleView samples() const;
+
+  /// Called with the name of each stage when that stage of detect() is done ("sample", "normals", "vote", ...):
+  /// for measuring from outside, as the core has no clock.
+  void onStageDone(std::function<void(const char*)> callback);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace primitect

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The four shapes as plain values, their distance functions, and what one frame's detection holds.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace primitect {
+
+using Vec3 = Eigen::Vector3d;
+
+/// Plane through point (m) with unit normal, towards the sensor.
+struct Plane {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+};
+
+/// Sphere, metres.
+struct Sphere {
+  Vec3 center = Vec3::Zero();
+  double radius = 0.0;
+};
+
+/// Infinite cylinder around the line point + t * axis (unit), metres.
+struct Cylinder {
+  Vec3 point = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double radius = 0.0;
+};
+
+/// One-sided cone; axis (unit) points from the apex into the body, half_angle in rad, in (0, pi/2).
+struct Cone {
+  Vec3 apex = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double half_angle = 0.0;
+};
+
+/// A primitive with its numbers. The index of the alternative is the Kind, and the type number in the messages.
+using Shape = std::variant<Plane, Sphere, Cylinder, Cone>;
+
+enum class Kind : std::uint8_t { plane = 0, sphere = 1, cylinder = 2, cone = 3 };
+constexpr std::size_t kKindCount = 4;
+
+inline Kind kindOf(const Shape& shape) { return static_cast<Kind>(shape.index()); }
+
+/// "plane", "sphere", "cylinder", "cone".
+const char* kindName(Kind kind);
+
+/// Signed distance in metres: positive outside (for the plane: on the side of its normal).
+double distance(const Plane& plane, const Vec3& p);
+double distance(const Sphere& sphere, const Vec3& p);
+double distance(const Cylinder& cylinder, const Vec3& p);
+double distance(const Cone& cone, const Vec3& p);
+double distance(const Shape& shape, const Vec3& p);
+
+/// Outward unit normal of the surface at the point nearest to p: the gradient of distance().
+/// On an axis, a centre or an apex, where it is undefined, some unit vector.
+Vec3 normalAt(const Plane& plane, const Vec3& p);
+Vec3 normalAt(const Sphere& sphere, const Vec3& p);
+Vec3 normalAt(const Cylinder& cylinder, const Vec3& p);
+Vec3 normalAt(const Cone& cone, const Vec3& p);
+Vec3 normalAt(const Shape& shape, const Vec3& p);
+
+/// The point of the surface that is nearest to p.
+Vec3 project(const Shape& shape, const Vec3& p);
+
+/// The part of a shape that was seen.
+struct Extent {
+  /// Origin: centre of the observed plane part, sphere centre, middle of the observed axis part (m).
+  Vec3 origin = Vec3::Zero();
+  /// Columns x, y, z of the pose; z = plane normal / cylinder axis / cone axis from the apex into the body.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  /// Plane: length along x and y; cylinder and cone: length along z; else 0 (m).
+  Vec3 size = Vec3::Zero();
+  double radius = 0.0;        ///< sphere, cylinder; cone: at the wide end of the observed part (m)
+  double radius_small = 0.0;  ///< cone: at the narrow end of the observed part (m)
+  std::vector<Vec3> hull;     ///< plane: convex outline, counter-clockwise seen from the sensor (m)
+};
+
+/// Why the extent is only a lower bound; bits of Detection::truncated.
+enum Truncation : std::uint8_t {
+  kTruncatedByImage = 1,
+  kTruncatedByDepth = 2,
+  kTruncatedByOcclusion = 4,
+  kTruncationUnknown = 128,
+};
+
+/// A number that no stage has filled.
+constexpr float kUnknown = -1.0f;
+
+/// A shape reported for one frame. Fields that no stage fills hold kUnknown.
+struct Detection {
+  Shape shape;
+  Extent extent;
+  float votes = 0.0f;                  ///< weight of all votes that were merged into it
+  std::uint32_t inlier_count = 0;      ///< samples assigned to it
+  float rms_error = kUnknown;          ///< of the inliers' distances (m)
+  float confidence = kUnknown;         ///< [0, 1]
+  float coverage = kUnknown;           ///< observed share of the full turn or area, [0, 1]
+  float radius_stddev = kUnknown;      ///< m
+  float half_angle_stddev = kUnknown;  ///< rad
+  /// 6 x 6 row-major, x y z rotX rotY rotZ (m, rad); [0] = -1: unknown.
+  std::array<double, 36> covariance = {-1.0};
+  bool concave = false;
+  std::uint8_t truncated = kTruncationUnknown;
+  std::uint32_t track_id = 0;  ///< 0 = untracked
+  std::uint32_t age = 0;       ///< frames since the track was first seen
+};
+
+/// Why nothing came out; the numbers are those of PrimitiveArray.status.
+enum class Status : std::uint8_t { ok = 0, empty_input = 1, too_few_points = 2, rejected_input = 3, no_transform = 4 };
+
+/// "ok", "empty_input", ...
+const char* statusName(Status status);
+
+/// All that was found in one frame.
+struct Detections {
+  std::vector<Detection> items;
+  Status status = Status::ok;
+  std::uint32_t points_in = 0;    ///< points received
+  std::uint32_t points_used = 0;  ///< of these, measured and within the depth range
+  std::uint32_t samples = 0;      ///< points that voted
+  double scene_diameter = 0.0;    ///< d_s of the paper (m)
+};
+
+}  // namespace primitect

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Peaks of the accumulators: the strongest bin, then the weighted average over it and its neighbours (sec. II-D).
+#include "core/accumulators.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace primitect {
+namespace {
+
+/// Index of the strongest bin, the first one of several; nothing when all are empty.
+std::optional<int> strongestBin(const std::vector<float>& bins) {
+  const auto strongest = std::max_element(bins.begin(), bins.end());
+  if (strongest == bins.end() || !(*strongest > 0.0f)) return std::nullopt;
+  return static_cast<int>(strongest - bins.begin());
+}
+
+}  // namespace
+
+Accumulators::Accumulators(int radius_bins, double angle_bin, bool average_bins)
+    : radius_bins_(radius_bins),
+      phi_bins_(std::max(3, static_cast<int>(std::lround(M_PI / angle_bin)))),
+      average_bins_(average_bins),
+      ball_(angle_bin),
+      sphere_(radius_bins),
+      cylinder_(static_cast<std::size_t>(radius_bins) * phi_bins_),
+      cone_(static_cast<std::size_t>(radius_bins) * ball_.binCount()) {}
+
+void Accumulators::clear() {
+  plane_ = 0.0f;
+  for (std::vector<float>* bins : {&sphere_, &cylinder_, &cone_}) std::fill(bins->begin(), bins->end(), 0.0f);
+}
+
+kernels::Accumulators Accumulators::view() {
+  return {&plane_,      sphere_.data(), cylinder_.data(), cone_.data(),
+          radius_bins_, phi_bins_,      ball_.binCount(), static_cast<float>(1.0 / radius_bin_),
+          ball_.view()};
+}
+
+std::optional<Peak> Accumulators::planePeak() const {
+  if (!(plane_ > 0.0f)) return std::nullopt;
+  Peak peak;
+  peak.strongest = peak.votes = plane_;
+  return peak;
+}
+
+std::optional<Peak> Accumulators::spherePeak() const {
+  const std::optional<int> best = strongestBin(sphere_);
+  if (!best) return std::nullopt;
+  const int reach = average_bins_ ? 1 : 0;
+  Peak peak;
+  peak.strongest = sphere_[*best];
+  double radius_sum = 0.0;
+  for (int bin = std::max(0, *best - reach); bin <= std::min(radius_bins_ - 1, *best + reach); ++bin) {
+    peak.votes += sphere_[bin];
+    radius_sum += sphere_[bin] * binRadius(bin);
+  }
+  peak.radius = radius_sum / peak.votes;
+  return peak;
+}
+
+std::optional<Peak> Accumulators::cylinderPeak() const {
+  const std::optional<int> best = strongestBin(cylinder_);
+  if (!best) return std::nullopt;
+  const int best_layer = *best / phi_bins_;
+  const int best_phi = *best % phi_bins_;
+  const int reach = average_bins_ ? 1 : 0;
+  Peak peak;
+  peak.strongest = cylinder_[*best];
+  double radius_sum = 0.0;
+  double step_sum = 0.0;
+  for (int layer = std::max(0, best_layer - reach); layer <= std::min(radius_bins_ - 1, best_layer + reach); ++layer) {
+    for (int step = -reach; step <= reach; ++step) {
+      const double votes = cylinder_[layer * phi_bins_ + (best_phi + step + phi_bins_) % phi_bins_];
+      peak.votes += votes;
+      radius_sum += votes * binRadius(layer);
+      step_sum += votes * step;
+    }
+  }
+  peak.radius = radius_sum / peak.votes;
+  peak.angle = (best_phi + step_sum / peak.votes) * M_PI / phi_bins_;
+  return peak;
+}
+
+std::optional<Peak> Accumulators::conePeak() const {
+  const std::optional<int> best = strongestBin(cone_);
+  if (!best) return std::nullopt;
+  const int best_layer = *best / ball_.binCount();
+  const int best_direction = *best % ball_.binCount();
+  const int reach = average_bins_ ? 1 : 0;
+  const Vec3& axis = ball_.direction(best_direction);
+  Peak peak;
+  peak.strongest = cone_[*best];
+  double radius_sum = 0.0;
+  Vec3 axis_sum = Vec3::Zero();
+  for (int layer = std::max(0, best_layer - reach); layer <= std::min(radius_bins_ - 1, best_layer + reach); ++layer) {
+    const float* bins = cone_.data() + static_cast<std::size_t>(layer) * ball_.binCount();
+    const auto addBin = [&](int bin) {
+      const Vec3& direction = ball_.direction(bin);
+      peak.votes += bins[bin];
+      radius_sum += bins[bin] * binRadius(layer);
+      axis_sum += (direction.dot(axis) < 0.0 ? -bins[bin] : bins[bin]) * direction;
+    };
+    if (!average_bins_) {
+      addBin(best_direction);
+      continue;
+    }
+    for (const int bin : ball_.neighborhood(best_direction)) addBin(bin);
+  }
+  peak.radius = radius_sum / peak.votes;
+  peak.axis = axis_sum.normalized();
+  return peak;
+}
+
+}  // namespace primitect

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A shape proposed by votes, not yet checked on the cloud.
+#pragma once
+
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+struct Candidate {
+  Shape shape;
+  Vec3 point = Vec3::Zero();    ///< the reference that proposed it
+  Vec3 normal = Vec3::UnitZ();  ///< of the reference
+  double votes = 0.0;           ///< of all proposals merged into it
+  int proposals = 1;            ///< how many references proposed it
+};
+
+}  // namespace primitect

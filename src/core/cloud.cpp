@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Storing points and normals; see cloud.h.
+#include "primitect/cloud.h"
+
+namespace primitect {
+
+void Cloud::reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals) {
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  const std::size_t count = static_cast<std::size_t>(new_width) * new_height;
+  width = new_width;
+  height = new_height;
+  valid_count = 0;
+  for (std::vector<float>* values : {&x, &y, &z}) values->assign(count, kMissing);
+  for (std::vector<float>* values : {&nx, &ny, &nz}) values->assign(with_normals ? count : 0, kMissing);
+}
+
+void Cloud::setNormal(std::size_t i, float px, float py, float pz) {
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kShortest = 1e-6f;
+  const float length = std::sqrt(px * px + py * py + pz * pz);
+  const bool measured = kShortest <= length && length <= std::numeric_limits<float>::max();
+  nx[i] = measured ? px / length : kMissing;
+  ny[i] = measured ? py / length : kMissing;
+  nz[i] = measured ? pz / length : kMissing;
+}
+
+}  // namespace primitect

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of a shape that was seen, from its inliers.
+#pragma once
+
+#include <vector>
+
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Extent of the part where the inliers lie (m). A few stragglers do not stretch it: along an axis the outer 1 % at
+/// either end are left out.
+Extent measureExtent(const Shape& shape, const std::vector<Vec3>& inliers);
+
+/// The same shape with a sign of its axis that does not flip from frame to frame: a cylinder's points up in the image
+/// (y < 0, else x > 0, else z > 0).
+Shape canonical(const Shape& shape);
+
+/// The point, already near the surface, lies within the extent enlarged by margin (m).
+bool contains(const Shape& shape, const Extent& extent, const Vec3& point, double margin);
+
+}  // namespace primitect

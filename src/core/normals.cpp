@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Plane fits in the image window and in neighbourhoods; see normals.h.
+#include "core/normals.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/neighbors.h"
+
+namespace primitect {
+namespace {
+
+/// Axial noise of structured-light cameras (m) at depth z (Nguyen et al., 3DIMPVT 2012): a floor for fit tolerances.
+double axialNoise(double z) { return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4); }
+
+/// The pixels of a window, clipped to the image.
+struct Window {
+  int left, right, top, bottom;
+};
+
+Window windowAround(const Cloud& cloud, std::uint32_t pixel, int half_width) {
+  const int column = static_cast<int>(pixel % cloud.width);
+  const int row = static_cast<int>(pixel / cloud.width);
+  return {std::max(column - half_width, 0), std::min(column + half_width, static_cast<int>(cloud.width) - 1),
+          std::max(row - half_width, 0), std::min(row + half_width, static_cast<int>(cloud.height) - 1)};
+}
+
+/// Plane a x + b y + c z = 1 as inverse depth over the ray: 1/z = a u + b v + c with u = x/z, v = y/z.
+struct InverseDepthFit {
+  Vec3 plane = Vec3::Zero();
+  int used = 0;
+};
+
+/// One least-squares pass over the pixels that `belongs` accepts; used = 0 when they do not determine a plane.
+template <class Belongs>
+InverseDepthFit fitWindow(const Cloud& cloud, const Window& window, std::uint32_t center, const Belongs& belongs) {
+  const double center_u = cloud.x[center] / cloud.z[center];
+  const double center_v = cloud.y[center] / cloud.z[center];
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Vec3 right = Vec3::Zero();
+  InverseDepthFit fit;
+  for (int row = window.top; row <= window.bottom; ++row) {
+    for (int column = window.left; column <= window.right; ++column) {
+      const std::size_t i = static_cast<std::size_t>(row) * cloud.width + column;
+      if (!belongs(i)) continue;
+      const double inverse_depth = 1.0 / cloud.z[i];
+      const Vec3 ray(cloud.x[i] * inverse_depth - center_u, cloud.y[i] * inverse_depth - center_v, 1.0);
+      moments.noalias() += ray * ray.transpose();
+      right += inverse_depth * ray;
+      ++fit.used;
+    }
+  }
+  const Eigen::LDLT<Eigen::Matrix3d> solver(moments);
+  const Vec3 pivots = solver.vectorD();
+  if (fit.used < 3 || !(pivots.minCoeff() > 1e-12 * pivots.maxCoeff())) return {};
+  fit.plane = solver.solve(right);
+  fit.plane.z() -= fit.plane.x() * center_u + fit.plane.y() * center_v;
+  return fit;
+}
+
+void orientTowardsSensor(const Vec3& point, Vec3& normal) {
+  if (normal.dot(point) > 0.0) normal = -normal;
+}
+
+void store(const Vec3& normal, std::size_t i, Samples& samples) {
+  samples.nx[i] = static_cast<float>(normal.x());
+  samples.ny[i] = static_cast<float>(normal.y());
+  samples.nz[i] = static_cast<float>(normal.z());
+}
+
+void takeCloudNormals(const Cloud& cloud, bool orient, Samples& samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::uint32_t k = samples.index[i];
+    Vec3 normal(cloud.nx[k], cloud.ny[k], cloud.nz[k]);
+    if (orient) orientTowardsSensor(samples.point(i), normal);
+    store(normal, i, samples);
+  }
+}
+
+void fitWindows(const Cloud& cloud, int window_at_one_meter, Samples& samples) {
+  constexpr int kSmallestWindow = 3;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
+    const int largest = std::max(kSmallestWindow, window_at_one_meter * 3 / 2);
+    const int half_width = std::clamp(static_cast<int>(std::lround(window_at_one_meter / samples.z[i])),
+                                      std::min(kSmallestWindow, window_at_one_meter), largest);
+    if (const std::optional<Vec3> normal = windowNormal(cloud, samples.index[i], half_width)) {
+      store(*normal, i, samples);
+    }
+  }
+}
+
+void fitNeighborhoods(const Cloud& cloud, int count, Samples& samples) {
+  NeighborSearch search(cloud);
+  std::vector<std::uint32_t> neighbors;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    search.nearest(cloud, samples.index[i], count, neighbors);
+    std::optional<Vec3> normal = planeNormal(cloud, neighbors);
+    if (!normal) continue;
+    orientTowardsSensor(samples.point(i), *normal);
+    store(*normal, i, samples);
+  }
+}
+
+}  // namespace
+
+std::optional<Vec3> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width) {
+  constexpr double kLargestJump = 0.04;    // of the depth: more is another surface, at any slope that can be fitted
+  constexpr double kSmallestShare = 0.25;  // of the window, on the centre's surface
+  constexpr double kTolerance = 3.0;       // standard deviations
+  constexpr int kRobustPasses = 2;
+  const double depth = cloud.z[pixel];
+  if (!(depth > 0.0)) return std::nullopt;
+  const Window window = windowAround(cloud, pixel, half_width);
+  const int needed = std::max(6, static_cast<int>(kSmallestShare * (2 * half_width + 1) * (2 * half_width + 1)));
+
+  InverseDepthFit fit = fitWindow(cloud, window, pixel,
+                                  [&](std::size_t i) { return std::abs(cloud.z[i] - depth) < kLargestJump * depth; });
+  const double tolerance = kTolerance * axialNoise(depth);
+  for (int pass = 0; pass < kRobustPasses && fit.used >= needed; ++pass) {
+    const Vec3 plane = fit.plane;
+    fit = fitWindow(cloud, window, pixel, [&](std::size_t i) {
+      const double inverse_depth = plane.dot(Vec3(cloud.x[i], cloud.y[i], cloud.z[i])) / cloud.z[i];
+      return std::abs(1.0 / inverse_depth - cloud.z[i]) < tolerance;
+    });
+  }
+  const double center_error = 1.0 / (fit.plane.dot(Vec3(cloud.x[pixel], cloud.y[pixel], depth)) / depth) - depth;
+  if (fit.used < needed || !(std::abs(center_error) < tolerance)) return std::nullopt;
+  return Vec3(-fit.plane.normalized());
+}
+
+std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint32_t>& points) {
+  if (points.size() < 3) return std::nullopt;
+  const auto at = [&cloud](std::uint32_t i) { return Vec3(cloud.x[i], cloud.y[i], cloud.z[i]); };
+  const Vec3 origin = at(points.front());
+  Vec3 sum = Vec3::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (const std::uint32_t i : points) {
+    const Vec3 offset = at(i) - origin;
+    sum += offset;
+    squares.noalias() += offset * offset.transpose();
+  }
+  const Eigen::Matrix3d scatter = squares - sum * sum.transpose() / static_cast<double>(points.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  // Points on a line, or all the same, have no second direction.
+  if (!(solver.eigenvalues()(1) > 1e-9 * solver.eigenvalues()(2)) || !(solver.eigenvalues()(2) > 0.0))
+    return std::nullopt;
+  return Vec3(solver.eigenvectors().col(0));
+}
+
+void estimateNormals(const Cloud& cloud, const Params& params, Samples& samples) {
+  if (params.use_cloud_normals && cloud.hasNormals()) return takeCloudNormals(cloud, params.orient_normals, samples);
+  // The image window needs depth along z, as in an optical frame.
+  const bool in_front = std::all_of(samples.z.begin(), samples.z.end(), [](float z) { return z > 0.0f; });
+  if (cloud.organized() && in_front) return fitWindows(cloud, params.normal_window, samples);
+  fitNeighborhoods(cloud, params.normal_neighbors, samples);
+}
+
+}  // namespace primitect

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Collecting the votes of each reference and turning the strongest peak into a candidate.
+#include "core/pair_voting.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace primitect {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+Vec3 toEigen(const kernels::Vector& v) { return {v.x, v.y, v.z}; }
+
+kernels::Vector fromEigen(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+bool withinLimits(const Cone& cone, const Params& params) {
+  return params.min_half_angle_deg * kDegree <= cone.half_angle &&
+         cone.half_angle <= params.max_half_angle_deg * kDegree;
+}
+
+}  // namespace
+
+kernels::VotingRules votingRules(const Params& params, double scene_diameter) {
+  const double reach = params.pair_distance * scene_diameter;
+  const double epsilon = params.epsilon_deg * kDegree;
+  kernels::VotingRules rules;
+  rules.max_distance_sq = static_cast<float>(reach * reach);
+  rules.epsilon = static_cast<float>(epsilon);
+  rules.cos_epsilon = static_cast<float>(std::cos(epsilon));
+  rules.sin_epsilon_sq = static_cast<float>(std::sin(epsilon) * std::sin(epsilon));
+  rules.spread = params.spread_votes;
+  rules.planes = params.detect_planes;
+  rules.spheres = params.detect_spheres;
+  rules.cylinders = params.detect_cylinders;
+  rules.cones = params.detect_cones;
+  return rules;
+}
+
+kernels::Reference referenceAt(const Samples& samples, std::size_t i) {
+  const Vec3 normal = samples.normal(i);
+  const Vec3 tangent_y = normal.unitOrthogonal();
+  return {{fromEigen(samples.point(i)), fromEigen(normal)}, fromEigen(tangent_y), fromEigen(normal.cross(tangent_y))};
+}
+
+Sphere sphereFromVotes(const Vec3& point, const Vec3& normal, double radius) {
+  return {point - radius * normal, radius};
+}
+
+Cylinder cylinderFromVotes(const Vec3& point, const Vec3& normal, const Vec3& axis, double radius) {
+  return {point - radius * normal, axis, radius};
+}
+
+std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const Vec3& axis, double axis_distance) {
+  constexpr double kSmallestSine = 1e-6;
+  const double across = axis.dot(normal);
+  if (std::abs(across) < kSmallestSine || std::abs(across) > 1.0 - kSmallestSine) return std::nullopt;
+  const Vec3 apex = point + axis_distance * (axis / across - normal);
+  const Vec3 signed_axis = (point - apex).dot(axis) < 0.0 ? Vec3(-axis) : axis;
+  const double sine = -signed_axis.dot(normal);
+  if (!(sine > 0.0)) return std::nullopt;
+  return Cone{apex, signed_axis, std::asin(std::min(sine, 1.0))};
+}
+
+PairVoting::PairVoting(const Params& params)
+    : params_(params), accumulators_(params.radius_bins, params.angle_bin_deg * kDegree, params.average_bins) {}
+
+std::optional<Candidate> PairVoting::strongest(const kernels::Reference& reference) const {
+  const Vec3 point = toEigen(reference.sample.point);
+  const Vec3 normal = toEigen(reference.sample.normal);
+  std::optional<Candidate> best;
+  const auto propose = [&](const Peak& peak, const Shape& shape) {
+    if (peak.votes > (best ? best->votes : params_.min_votes)) best = Candidate{shape, point, normal, peak.votes};
+  };
+  if (const auto peak = accumulators_.planePeak()) propose(*peak, Plane{point, normal});
+  if (const auto peak = accumulators_.spherePeak()) propose(*peak, sphereFromVotes(point, normal, peak->radius));
+  if (const auto peak = accumulators_.cylinderPeak()) {
+    const Vec3 axis =
+        std::cos(peak->angle) * toEigen(reference.tangent_y) + std::sin(peak->angle) * toEigen(reference.tangent_z);
+    propose(*peak, cylinderFromVotes(point, normal, axis, peak->radius));
+  }
+  if (const auto peak = accumulators_.conePeak()) {
+    const std::optional<Cone> cone = coneFromVotes(point, normal, peak->axis, peak->radius);
+    if (cone && withinLimits(*cone, params_)) propose(*peak, *cone);
+  }
+  return best;
+}
+
+void PairVoting::vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates) {
+  candidates.clear();
+  const kernels::VotingRules rules = votingRules(params_, scene_diameter);
+  accumulators_.setRadiusBin(params_.radius_bin * scene_diameter);
+  kernels::Accumulators bins = accumulators_.view();
+  const std::size_t count = std::min<std::size_t>(samples.size(), params_.references);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = k * samples.size() / count;
+    if (!samples.hasNormal(i)) continue;
+    accumulators_.clear();
+    const kernels::Reference reference = referenceAt(samples, i);
+    kernels::vote(reference, samples.view(), rules, bins);
+    if (const std::optional<Candidate> candidate = strongest(reference)) candidates.push_back(*candidate);
+  }
+}
+
+}  // namespace primitect

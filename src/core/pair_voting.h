@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Joint voting (paper, sec. II-C): each reference collects the votes of its pairs and proposes its strongest shape.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/accumulators.h"
+#include "core/candidate.h"
+#include "core/samples.h"
+#include "primitect/params.h"
+
+namespace primitect {
+
+/// Conditions and switches for a scene of this diameter d_s (m).
+kernels::VotingRules votingRules(const Params& params, double scene_diameter);
+
+/// The reference's local frame: the rows of R_x, which turns its normal to the positive x axis.
+kernels::Reference referenceAt(const Samples& samples, std::size_t i);
+
+/// Shapes from voting parameters and the reference (point, unit normal), lengths in m, angles in rad.
+Sphere sphereFromVotes(const Vec3& point, const Vec3& normal, double radius);
+Cylinder cylinderFromVotes(const Vec3& point, const Vec3& normal, const Vec3& axis, double radius);
+/// Apex, signed axis and half angle of the paper's eq. 11 to 13. Nothing when the axis is parallel to the tangent plane
+/// (a cylinder) or to the normal (a plane).
+std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const Vec3& axis, double axis_distance);
+
+/// Joint voting with accumulators that are reused from reference to reference and from frame to frame.
+class PairVoting {
+ public:
+  explicit PairVoting(const Params& params);
+
+  /// At most one candidate for each reference; the references are spread evenly over the samples. d_s in m.
+  void vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates);
+
+ private:
+  std::optional<Candidate> strongest(const kernels::Reference& reference) const;
+
+  Params params_;
+  Accumulators accumulators_;
+};
+
+}  // namespace primitect

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The points that vote, with their normals: structure of arrays, neighbours in space near each other in memory.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/kernels.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+struct Samples {
+  std::vector<float> x, y, z, nx, ny, nz;
+  std::vector<std::uint32_t> index;  ///< of the point in the cloud
+
+  std::size_t size() const { return x.size(); }
+  void clear() {
+    for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz}) values->clear();
+    index.clear();
+  }
+  void resize(std::size_t count) {
+    for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz}) values->resize(count);
+    index.resize(count);
+  }
+  Vec3 point(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+  bool hasNormal(std::size_t i) const { return nx[i] == nx[i]; }
+  kernels::Samples view() const { return {x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data(), x.size()}; }
+};
+
+}  // namespace primitect

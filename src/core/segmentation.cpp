@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Greedy selection of candidates by the samples they explain, then nearest assignment.
+#include "core/segmentation.h"
+
+#include <cmath>
+#include <limits>
+
+namespace primitect {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+struct Tolerance {
+  double distance;
+  double cos_angle;
+};
+
+/// |distance| of the sample to the shape if it can be its inlier, else infinity.
+double inlierDistance(const Shape& shape, const Samples& samples, std::size_t i, const Tolerance& tolerance) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Vec3 point = samples.point(i);
+  const double away = std::abs(distance(shape, point));
+  if (!(away < tolerance.distance)) return kNone;
+  return samples.normal(i).dot(normalAt(shape, point)) > tolerance.cos_angle ? away : kNone;
+}
+
+void selectGreedily(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
+                    const Tolerance& tolerance, std::vector<Segment>& segments) {
+  std::vector<bool> explained(samples.size(), false);
+  std::vector<std::uint32_t> own;
+  for (const Candidate& candidate : candidates) {
+    if (!withinLimits(candidate.shape, params)) continue;
+    own.clear();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (explained[i] || std::isinf(inlierDistance(candidate.shape, samples, i, tolerance))) continue;
+      own.push_back(static_cast<std::uint32_t>(i));
+    }
+    if (own.size() < static_cast<std::size_t>(params.min_inliers)) continue;
+    for (const std::uint32_t i : own) explained[i] = true;
+    segments.push_back({candidate, {}});
+  }
+}
+
+void assignToNearest(const Samples& samples, const Tolerance& tolerance, std::vector<Segment>& segments) {
+  for (Segment& segment : segments) segment.inliers.clear();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Segment* nearest = nullptr;
+    double nearest_distance = std::numeric_limits<double>::infinity();
+    for (Segment& segment : segments) {
+      const double away = inlierDistance(segment.candidate.shape, samples, i, tolerance);
+      if (!(away < nearest_distance)) continue;
+      nearest = &segment;
+      nearest_distance = away;
+    }
+    if (nearest) nearest->inliers.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+}  // namespace
+
+bool withinLimits(const Shape& shape, const Params& params) {
+  const auto radiusFits = [&params](double radius) {
+    return params.min_radius <= radius && (params.max_radius <= 0.0 || radius <= params.max_radius);
+  };
+  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return radiusFits(sphere->radius);
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return radiusFits(cylinder->radius);
+  const Cone* cone = std::get_if<Cone>(&shape);
+  return !cone || (params.min_half_angle_deg * kDegree <= cone->half_angle &&
+                   cone->half_angle <= params.max_half_angle_deg * kDegree);
+}
+
+void segmentSamples(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
+                    double scene_diameter, std::vector<Segment>& segments) {
+  segments.clear();
+  const Tolerance tolerance = {params.inlier_distance * scene_diameter, std::cos(params.inlier_angle_deg * kDegree)};
+  selectGreedily(samples, candidates, params, tolerance, segments);
+  assignToNearest(samples, tolerance, segments);
+}
+
+}  // namespace primitect

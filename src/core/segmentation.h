@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which samples belong to which shape: every sample is explained at most once.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/candidate.h"
+#include "core/samples.h"
+#include "primitect/params.h"
+
+namespace primitect {
+
+/// A candidate that keeps enough samples for itself.
+struct Segment {
+  Candidate candidate;
+  std::vector<std::uint32_t> inliers;  ///< indices of samples
+};
+
+/// Takes the candidates in their order; each keeps the samples near it (params.inlier_distance * d_s,
+/// params.inlier_angle_deg) that no earlier one explains, and becomes a segment when these are at least
+/// params.min_inliers. Then every sample goes to the nearest of the segments.
+void segmentSamples(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
+                    double scene_diameter, std::vector<Segment>& segments);
+
+/// The shape's size is within the limits of params.
+bool withinLimits(const Shape& shape, const Params& params);
+
+}  // namespace primitect

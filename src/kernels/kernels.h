@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The inner loop of the method: pairs, features, conditions, weights and votes. scalar.cpp is the definition.
+//
+// Symbols follow the paper (PrimiTect, ICRA 2020): d = p_i - p_r, features C1..C4 (eq. 2), conditions NP, PC, AS, VT
+// (table II), angles F1..F4 (eq. 1), s_r (eq. 9). Lengths are in m, angles in rad, all vectors of normals are unit.
+#pragma once
+
+#include <cstddef>
+
+namespace primitect::kernels {
+
+struct Vector {
+  float x, y, z;
+};
+
+/// A point with its outward unit normal.
+struct OrientedPoint {
+  Vector point;
+  Vector normal;
+};
+
+/// The sample whose votes are being collected, with a right-handed frame (normal, tangent_y, tangent_z): the rows of
+/// the paper's rotation R_x.
+struct Reference {
+  OrientedPoint sample;
+  Vector tangent_y;
+  Vector tangent_z;
+};
+
+/// Samples as structure of arrays, `count` of each.
+struct Samples {
+  const float *x, *y, *z, *nx, *ny, *nz;
+  std::size_t count;
+};
+
+/// C = (|d|^2, n_r.d, n_i.d, n_r.n_i), eq. 2.
+struct PairFeatures {
+  float c1, c2, c3, c4;
+};
+
+/// Who may vote, and how.
+struct VotingRules {
+  float max_distance_sq;  ///< a pair farther apart does not vote (m^2)
+  float epsilon;          ///< tolerance of NP, PC, AS and VT (rad)
+  float cos_epsilon;
+  float sin_epsilon_sq;
+  bool spread;  ///< linear interpolation votes and constraint weights; false: 1 into the nearest bin
+  bool planes, spheres, cylinders, cones;
+};
+
+/// Weights on neighbouring bins; they add up to 1. A bin may be named twice.
+struct LinearSpread {
+  int bin[2];
+  float weight[2];
+};
+struct BallSpread {
+  int bin[4];
+  float weight[4];
+};
+
+/// Accumulator ball for axes without sign, after Borrmann et al. 2011: the pole, then rings of nearly square bins
+/// (centre of ring k at k * step from the pole), the last of them on the equator, where only half a ring is needed.
+struct AxisBall {
+  int rings;              ///< of which the last is the equator
+  float step;             ///< angle between rings (rad)
+  const int* ring_start;  ///< index of the first bin of ring k, k = 1 .. rings; bin 0 is the pole
+  const int* ring_size;   ///< bins of the full turn of ring k; of the equator's, only the first half is stored
+};
+
+/// Votes of one reference; the caller clears them.
+struct Accumulators {
+  float* plane;     ///< 1
+  float* sphere;    ///< radius_bins
+  float* cylinder;  ///< radius_bins x phi_bins, phi innermost
+  float* cone;      ///< radius_bins x ball_bins, ball innermost
+  int radius_bins;
+  int phi_bins;  ///< over [0, pi)
+  int ball_bins;
+  float bins_per_meter;  ///< of R and s_r
+  AxisBall ball;
+};
+
+/// Eq. 2.
+PairFeatures pairFeatures(const OrientedPoint& reference, const OrientedPoint& other);
+
+/// C2 <= 0 and C3 >= 0: what holds on every convex body.
+bool isConvex(const PairFeatures& c);
+
+/// The conditions of table II, column "relaxed (C)".
+bool normalsParallel(const PairFeatures& c, const VotingRules& rules);
+bool pointsCoplanar(const PairFeatures& c, const VotingRules& rules);
+bool anglesSymmetric(const PairFeatures& c, const VotingRules& rules);
+bool vectorsTriangular(const PairFeatures& c, const VotingRules& rules);
+
+/// Constraint weights: the product of 1 - |deviation| / epsilon over the angles that a condition holds together, at
+/// least 0 (sec. II-D; plane: three constraints, AS and VT: one each).
+float planeWeight(const PairFeatures& c, float epsilon);
+float symmetryWeight(const PairFeatures& c, float epsilon);
+float triangleWeight(const PairFeatures& c, float epsilon);
+
+/// R of sphere and cylinder (eq. 6); needs C4 < 1.
+float pairRadius(const PairFeatures& c);
+
+/// s_r: from the reference along -n_r to the cone axis (eq. 9); needs C4 < 1.
+float coneAxisDistance(const PairFeatures& c);
+
+/// q_i - q_r, parallel to the cone axis (eq. 10), not of unit length; needs C4 < 1.
+Vector coneAxis(const OrientedPoint& reference, const OrientedPoint& other, const PairFeatures& c);
+
+/// Angle in [0, pi) of the cylinder axis n_r x n_i against tangent_y in the tangent plane of the reference.
+float cylinderAngle(const Reference& reference, const OrientedPoint& other);
+
+/// Weights of a value in units of bins, bin k centred at k + 1/2; beyond the outer centres the outer bin takes all.
+LinearSpread spreadLinear(float value_in_bins, int bins);
+
+/// The same on a circle of `bins` bins with bin k centred at k.
+LinearSpread spreadCircular(float value_in_bins, int bins);
+
+/// Weights on the ball for an axis of any sign and length > 0: flat in x and y around the pole, linear in polar angle
+/// and azimuth elsewhere (sec. II-D).
+BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis);
+
+/// Algorithm 1 for the pairs of one reference with all samples.
+void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators);
+
+}  // namespace primitect::kernels

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The readable definition of the voting kernel: the paper's equations, one function each, and its algorithm 1.
+#include <cmath>
+
+#include "kernels/kernels.h"
+
+namespace primitect::kernels {
+namespace {
+
+constexpr float kPi = 3.14159265358979f;
+
+float dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+float squareRoot(float value) { return std::sqrt(std::fmax(value, 0.0f)); }
+
+float angleOfCosine(float cosine) { return std::acos(std::fmin(std::fmax(cosine, -1.0f), 1.0f)); }
+
+/// F2 = angle(d, n_r) and F3 = angle(d, n_i) from C (eq. 2).
+float angleF2(const PairFeatures& c) { return angleOfCosine(c.c2 / std::sqrt(c.c1)); }
+float angleF3(const PairFeatures& c) { return angleOfCosine(c.c3 / std::sqrt(c.c1)); }
+float angleF4(const PairFeatures& c) { return angleOfCosine(c.c4); }
+
+float constraintWeight(float deviation, float epsilon) {
+  return std::fmax(0.0f, 1.0f - std::fabs(deviation) / epsilon);
+}
+
+void add(float* bins, const LinearSpread& spread, float weight) {
+  for (int k = 0; k < 2; ++k) bins[spread.bin[k]] += weight * spread.weight[k];
+}
+
+/// One bin takes all: what is left of an interpolation vote when spreading is switched off.
+LinearSpread strongestOnly(LinearSpread spread) {
+  const int strongest = spread.weight[1] > spread.weight[0] ? 1 : 0;
+  return {{spread.bin[strongest], spread.bin[strongest]}, {1.0f, 0.0f}};
+}
+
+BallSpread strongestOnly(const BallSpread& spread) {
+  int strongest = 0;
+  for (int k = 1; k < 4; ++k) strongest = spread.weight[k] > spread.weight[strongest] ? k : strongest;
+  const int bin = spread.bin[strongest];
+  return {{bin, bin, bin, bin}, {1.0f, 0.0f, 0.0f, 0.0f}};
+}
+
+/// The stored bin of ring `ring` at azimuth bin j: opposite bins of the equator are one.
+int ringBin(const AxisBall& ball, int ring, int j) {
+  return ball.ring_start[ring] + (ring == ball.rings ? j % (ball.ring_size[ring] / 2) : j);
+}
+
+/// Around the pole: barycentric weights in the flat triangle (pole, two neighbours on ring 1). Outside of that
+/// triangle, in the sliver between its edge and ring 1, the pole gets nothing.
+BallSpread spreadAroundPole(const AxisBall& ball, float polar_angle, float azimuth) {
+  const int size = ball.ring_size[1];
+  const float sector = 2.0f * kPi / static_cast<float>(size);
+  const LinearSpread side = spreadCircular(azimuth / sector, size);
+  const float within = side.weight[1] * sector;
+  const float radius = polar_angle / ball.step;
+  float first = radius * std::sin(sector - within) / std::sin(sector);
+  float second = radius * std::sin(within) / std::sin(sector);
+  const float scale = std::fmax(1.0f, first + second);
+  first /= scale;
+  second /= scale;
+  const float pole = std::fmax(0.0f, 1.0f - first - second);
+  return {{0, ringBin(ball, 1, side.bin[0]), ringBin(ball, 1, side.bin[1]), 0}, {pole, first, second, 0.0f}};
+}
+
+void votePlane(const PairFeatures& c, const VotingRules& rules, Accumulators& accumulators) {
+  accumulators.plane[0] += rules.spread ? planeWeight(c, rules.epsilon) : 1.0f;
+}
+
+void voteCone(const Reference& reference, const OrientedPoint& other, const PairFeatures& c, const VotingRules& rules,
+              Accumulators& accumulators) {
+  const float distance_in_bins = coneAxisDistance(c) * accumulators.bins_per_meter;
+  const Vector axis = coneAxis(reference.sample, other, c);
+  if (!(distance_in_bins < static_cast<float>(accumulators.radius_bins)) || !(dot(axis, axis) > 0.0f)) return;
+  LinearSpread layers = spreadLinear(distance_in_bins, accumulators.radius_bins);
+  BallSpread ball = spreadOnBall(accumulators.ball, axis);
+  if (!rules.spread) {
+    layers = strongestOnly(layers);
+    ball = strongestOnly(ball);
+  }
+  for (int layer = 0; layer < 2; ++layer) {
+    float* bins = accumulators.cone + layers.bin[layer] * accumulators.ball_bins;
+    for (int k = 0; k < 4; ++k) bins[ball.bin[k]] += layers.weight[layer] * ball.weight[k];
+  }
+}
+
+void voteCylinder(const Reference& reference, const OrientedPoint& other, float radius_in_bins, float weight,
+                  const VotingRules& rules, Accumulators& accumulators) {
+  const float bins_per_radian = static_cast<float>(accumulators.phi_bins) / kPi;
+  LinearSpread layers = spreadLinear(radius_in_bins, accumulators.radius_bins);
+  LinearSpread angles = spreadCircular(cylinderAngle(reference, other) * bins_per_radian, accumulators.phi_bins);
+  if (!rules.spread) {
+    layers = strongestOnly(layers);
+    angles = strongestOnly(angles);
+  }
+  for (int layer = 0; layer < 2; ++layer) {
+    add(accumulators.cylinder + layers.bin[layer] * accumulators.phi_bins, angles, weight * layers.weight[layer]);
+  }
+}
+
+void voteSphere(float radius_in_bins, float weight, const VotingRules& rules, Accumulators& accumulators) {
+  const LinearSpread layers = spreadLinear(radius_in_bins, accumulators.radius_bins);
+  add(accumulators.sphere, rules.spread ? layers : strongestOnly(layers), weight);
+}
+
+/// The branch of algorithm 1 for a pair whose normals are not parallel.
+void voteCurved(const Reference& reference, const OrientedPoint& other, const PairFeatures& c, const VotingRules& rules,
+                Accumulators& accumulators) {
+  if (rules.cones) voteCone(reference, other, c, rules, accumulators);
+  if (!(rules.cylinders || rules.spheres) || !anglesSymmetric(c, rules)) return;
+  const float radius_in_bins = pairRadius(c) * accumulators.bins_per_meter;
+  if (!(radius_in_bins < static_cast<float>(accumulators.radius_bins))) return;
+  const float symmetry = rules.spread ? symmetryWeight(c, rules.epsilon) : 1.0f;
+  if (rules.cylinders) voteCylinder(reference, other, radius_in_bins, symmetry, rules, accumulators);
+  if (!rules.spheres || !vectorsTriangular(c, rules)) return;
+  const float triangle = rules.spread ? triangleWeight(c, rules.epsilon) : 1.0f;
+  voteSphere(radius_in_bins, symmetry * triangle, rules, accumulators);
+}
+
+}  // namespace
+
+PairFeatures pairFeatures(const OrientedPoint& reference, const OrientedPoint& other) {
+  const Vector d = {other.point.x - reference.point.x, other.point.y - reference.point.y,
+                    other.point.z - reference.point.z};
+  return {dot(d, d), dot(reference.normal, d), dot(other.normal, d), dot(reference.normal, other.normal)};
+}
+
+bool isConvex(const PairFeatures& c) { return c.c2 <= 0.0f && c.c3 >= 0.0f; }
+
+bool normalsParallel(const PairFeatures& c, const VotingRules& rules) { return c.c4 > rules.cos_epsilon; }
+
+bool pointsCoplanar(const PairFeatures& c, const VotingRules& rules) {
+  return c.c2 * c.c2 < rules.sin_epsilon_sq * c.c1 && c.c3 * c.c3 < rules.sin_epsilon_sq * c.c1;
+}
+
+bool anglesSymmetric(const PairFeatures& c, const VotingRules& rules) {
+  const float s2 = squareRoot(c.c1 - c.c2 * c.c2);
+  const float s3 = squareRoot(c.c1 - c.c3 * c.c3);
+  return s2 * s3 - c.c2 * c.c3 > rules.cos_epsilon * c.c1;
+}
+
+bool vectorsTriangular(const PairFeatures& c, const VotingRules& rules) {
+  const float s2 = squareRoot(c.c1 - c.c2 * c.c2);
+  const float s3 = squareRoot(c.c1 - c.c3 * c.c3);
+  const float s4 = squareRoot(1.0f - c.c4 * c.c4);
+  return c.c2 * c.c3 * c.c4 + s2 * s3 * c.c4 + s2 * c.c3 * s4 - c.c2 * s3 * s4 > rules.cos_epsilon * c.c1;
+}
+
+float planeWeight(const PairFeatures& c, float epsilon) {
+  return constraintWeight(angleF4(c), epsilon) * constraintWeight(angleF2(c) - 0.5f * kPi, epsilon) *
+         constraintWeight(angleF3(c) - 0.5f * kPi, epsilon);
+}
+
+float symmetryWeight(const PairFeatures& c, float epsilon) {
+  return constraintWeight(angleF2(c) + angleF3(c) - kPi, epsilon);
+}
+
+float triangleWeight(const PairFeatures& c, float epsilon) {
+  return constraintWeight(angleF2(c) - angleF3(c) - angleF4(c), epsilon);
+}
+
+float pairRadius(const PairFeatures& c) { return (c.c2 - c.c3) / (2.0f * (c.c4 - 1.0f)); }
+
+float coneAxisDistance(const PairFeatures& c) { return c.c3 / (1.0f - c.c4); }
+
+Vector coneAxis(const OrientedPoint& reference, const OrientedPoint& other, const PairFeatures& c) {
+  const float along_reference = c.c3 / (1.0f - c.c4);
+  const float along_other = c.c2 / (1.0f - c.c4);
+  const auto component = [&](float p_i, float p_r, float n_r, float n_i) {
+    return p_i - p_r + along_reference * n_r + along_other * n_i;
+  };
+  return {component(other.point.x, reference.point.x, reference.normal.x, other.normal.x),
+          component(other.point.y, reference.point.y, reference.normal.y, other.normal.y),
+          component(other.point.z, reference.point.z, reference.normal.z, other.normal.z)};
+}
+
+float cylinderAngle(const Reference& reference, const OrientedPoint& other) {
+  // In the frame (n_r, tangent_y, tangent_z), n_r x n_i = (0, -n_i.tangent_z, n_i.tangent_y).
+  const float angle = std::atan2(dot(other.normal, reference.tangent_y), -dot(other.normal, reference.tangent_z));
+  const float folded = angle < 0.0f ? angle + kPi : angle;
+  return folded < kPi ? folded : 0.0f;
+}
+
+LinearSpread spreadLinear(float value_in_bins, int bins) {
+  const float last = static_cast<float>(bins - 1);
+  const float position = std::fmin(std::fmax(value_in_bins - 0.5f, 0.0f), last);
+  const int lower = static_cast<int>(position);
+  const float fraction = position - static_cast<float>(lower);
+  return {{lower, lower + 1 < bins ? lower + 1 : lower}, {1.0f - fraction, fraction}};
+}
+
+LinearSpread spreadCircular(float value_in_bins, int bins) {
+  const float whole = std::floor(value_in_bins);
+  const float fraction = value_in_bins - whole;
+  const int lower = (static_cast<int>(whole) % bins + bins) % bins;
+  return {{lower, (lower + 1) % bins}, {1.0f - fraction, fraction}};
+}
+
+BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis) {
+  const float sign = axis.z < 0.0f ? -1.0f : 1.0f;
+  const float in_plane = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+  const float polar_angle = std::atan2(in_plane, sign * axis.z);
+  const float azimuth = std::atan2(sign * axis.y, sign * axis.x);
+  if (polar_angle < ball.step) return spreadAroundPole(ball, polar_angle, azimuth);
+  const float position = std::fmin(polar_angle / ball.step, static_cast<float>(ball.rings));
+  const int inner = static_cast<int>(std::fmin(position, static_cast<float>(ball.rings - 1)));
+  const float outer_weight = position - static_cast<float>(inner);
+  BallSpread result;
+  for (int k = 0; k < 2; ++k) {
+    const int ring = inner + k;
+    const int size = ball.ring_size[ring];
+    const float ring_weight = k == 0 ? 1.0f - outer_weight : outer_weight;
+    const LinearSpread side = spreadCircular(azimuth / (2.0f * kPi) * static_cast<float>(size), size);
+    for (int j = 0; j < 2; ++j) {
+      result.bin[2 * k + j] = ringBin(ball, ring, side.bin[j]);
+      result.weight[2 * k + j] = ring_weight * side.weight[j];
+    }
+  }
+  return result;
+}
+
+void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators) {
+  for (std::size_t i = 0; i < samples.count; ++i) {
+    const OrientedPoint other = {{samples.x[i], samples.y[i], samples.z[i]},
+                                 {samples.nx[i], samples.ny[i], samples.nz[i]}};
+    const PairFeatures c = pairFeatures(reference.sample, other);
+    if (!(0.0f < c.c1 && c.c1 <= rules.max_distance_sq) || !isConvex(c)) continue;
+    if (!normalsParallel(c, rules)) {
+      voteCurved(reference, other, c, rules, accumulators);
+    } else if (rules.planes && pointsCoplanar(c, rules)) {
+      votePlane(c, rules, accumulators);
+    }
+  }
+}
+
+}  // namespace primitect::kernels
