@@ -34,7 +34,7 @@ void AxisBall::addRing(int ring) {
 
 void AxisBall::findNeighborhoods() {
   // The centres of bins that share a corner are at most sqrt(2) steps apart; a little more for unequal rings.
-  const double cos_reach = std::cos(1.5 * step_);
+  const double cos_reach = std::cos(1.6 * step_);
   neighborhoods_.resize(directions_.size());
   for (int bin = 0; bin < binCount(); ++bin) {
     neighborhoods_[bin].push_back(bin);

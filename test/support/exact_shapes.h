@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Points and normals that lie exactly on a shape, in random poses: the truth that tests compare with.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
+
+#include "core/pair_voting.h"
+#include "core/random.h"
+#include "core/samples.h"
+#include "kernels/kernels.h"
+#include "primitect/cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect::test {
+
+struct SurfacePoint {
+  Vec3 point, normal;
+};
+
+inline Vec3 randomDirection(Random& random) {
+  return Vec3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+}
+
+inline Vec3 randomPoint(Random& random, double reach = 1.0) {
+  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+inline Vec3 aroundAxis(const Vec3& axis, double angle) {
+  const Vec3 x = axis.unitOrthogonal();
+  return std::cos(angle) * x + std::sin(angle) * axis.cross(x);
+}
+
+inline SurfacePoint pointOn(const Plane& plane, double u, double v) {
+  const Vec3 x = plane.normal.unitOrthogonal();
+  return {plane.point + u * x + v * plane.normal.cross(x), plane.normal};
+}
+inline SurfacePoint pointOn(const Sphere& sphere, const Vec3& direction) {
+  return {sphere.center + sphere.radius * direction, direction};
+}
+inline SurfacePoint pointOn(const Cylinder& cylinder, double height, double angle) {
+  const Vec3 out = aroundAxis(cylinder.axis, angle);
+  return {cylinder.point + height * cylinder.axis + cylinder.radius * out, out};
+}
+inline SurfacePoint pointOn(const Cone& cone, double height, double angle) {
+  const Vec3 out = aroundAxis(cone.axis, angle);
+  return {cone.apex + height * (cone.axis + std::tan(cone.half_angle) * out),
+          std::cos(cone.half_angle) * out - std::sin(cone.half_angle) * cone.axis};
+}
+
+inline kernels::OrientedPoint toKernel(const SurfacePoint& p) {
+  const auto convert = [](const Vec3& v) {
+    return kernels::Vector{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  };
+  return {convert(p.point), convert(p.normal)};
+}
+
+inline void append(Samples& samples, const SurfacePoint& p) {
+  const kernels::OrientedPoint o = toKernel(p);
+  samples.x.push_back(o.point.x);
+  samples.y.push_back(o.point.y);
+  samples.z.push_back(o.point.z);
+  samples.nx.push_back(o.normal.x);
+  samples.ny.push_back(o.normal.y);
+  samples.nz.push_back(o.normal.z);
+  samples.index.push_back(static_cast<std::uint32_t>(samples.index.size()));
+}
+
+inline Samples samplesOf(const std::vector<SurfacePoint>& points) {
+  Samples samples;
+  for (const SurfacePoint& p : points) append(samples, p);
+  return samples;
+}
+
+inline Cloud cloudOf(const std::vector<SurfacePoint>& points) {
+  Cloud cloud;
+  cloud.reset(static_cast<std::uint32_t>(points.size()), 1, true);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& p = points[i].point;
+    const Vec3& n = points[i].normal;
+    cloud.setPoint(i, static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), {});
+    cloud.setNormal(i, static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()));
+  }
+  return cloud;
+}
+
+/// Angle between two lines (rad), signs ignored.
+inline double lineAngle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
+
+/// Random patches: points of one side, as a camera would see them.
+inline std::vector<SurfacePoint> patchOf(const Plane& plane, int count, double reach, Random& random) {
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back(pointOn(plane, random.uniform(-reach, reach), random.uniform(-reach, reach)));
+  }
+  return points;
+}
+inline std::vector<SurfacePoint> patchOf(const Sphere& sphere, int count, Random& random) {
+  std::vector<SurfacePoint> points;
+  const Vec3 towards = -sphere.center.normalized();
+  while (static_cast<int>(points.size()) < count) {
+    const Vec3 direction = randomDirection(random);
+    if (direction.dot(towards) > 0.1) points.push_back(pointOn(sphere, direction));
+  }
+  return points;
+}
+template <class Round>
+std::vector<SurfacePoint> patchOf(const Round& shape, int count, double low, double high, Random& random) {
+  std::vector<SurfacePoint> points;
+  while (static_cast<int>(points.size()) < count) {
+    const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
+    if (p.normal.dot(p.point) < 0.0) points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace primitect::test
