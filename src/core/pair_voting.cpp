@@ -34,6 +34,7 @@ kernels::VotingRules votingRules(const Params& params, double scene_diameter) {
   rules.cos_epsilon = static_cast<float>(std::cos(epsilon));
   rules.sin_epsilon_sq = static_cast<float>(std::sin(epsilon) * std::sin(epsilon));
   rules.spread = params.spread_votes;
+  rules.convex_planes = params.convex_planes;
   rules.planes = params.detect_planes;
   rules.spheres = params.detect_spheres;
   rules.cylinders = params.detect_cylinders;

@@ -45,7 +45,8 @@ struct VotingRules {
   float epsilon;          ///< tolerance of NP, PC, AS and VT (rad)
   float cos_epsilon;
   float sin_epsilon_sq;
-  bool spread;  ///< linear interpolation votes and constraint weights; false: 1 into the nearest bin
+  bool spread;         ///< linear interpolation votes and constraint weights; false: 1 into the nearest bin
+  bool convex_planes;  ///< the convexity condition holds for plane pairs too (algorithm 1), not for curved ones alone
   bool planes, spheres, cylinders, cones;
 };
 

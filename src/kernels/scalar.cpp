@@ -225,11 +225,13 @@ void vote(const Reference& reference, const Samples& samples, const VotingRules&
     const OrientedPoint other = {{samples.x[i], samples.y[i], samples.z[i]},
                                  {samples.nx[i], samples.ny[i], samples.nz[i]}};
     const PairFeatures c = pairFeatures(reference.sample, other);
-    if (!(0.0f < c.c1 && c.c1 <= rules.max_distance_sq) || !isConvex(c)) continue;
-    if (!normalsParallel(c, rules)) {
+    if (!(0.0f < c.c1 && c.c1 <= rules.max_distance_sq)) continue;
+    const bool convex = isConvex(c);
+    if (normalsParallel(c, rules)) {
+      if (rules.planes && (convex || !rules.convex_planes) && pointsCoplanar(c, rules))
+        votePlane(c, rules, accumulators);
+    } else if (convex) {
       voteCurved(reference, other, c, rules, accumulators);
-    } else if (rules.planes && pointsCoplanar(c, rules)) {
-      votePlane(c, rules, accumulators);
     }
   }
 }

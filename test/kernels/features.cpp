@@ -10,8 +10,8 @@ namespace {
 
 using kernels::OrientedPoint;
 using kernels::PairFeatures;
-using test::SurfacePoint;
 using test::pointOn;
+using test::SurfacePoint;
 using test::toKernel;
 
 constexpr double kDegree = M_PI / 180.0;
@@ -136,7 +136,8 @@ TEST(ConstraintWeights, OfAPlaneMultiplyItsThreeConstraints) {
   const double right = 90.0 * kDegree;
   EXPECT_NEAR(planeWeight(fromAngles(0.5, right, right, 0.0), epsilon), 1.0, 1e-3);
   EXPECT_NEAR(planeWeight(fromAngles(0.5, right, right, 5.0 * kDegree), epsilon), 0.5, 1e-3);
-  EXPECT_NEAR(planeWeight(fromAngles(0.5, 95.0 * kDegree, 87.5 * kDegree, 5.0 * kDegree), epsilon), 0.5 * 0.75 * 0.5, 1e-3);
+  EXPECT_NEAR(planeWeight(fromAngles(0.5, 95.0 * kDegree, 87.5 * kDegree, 5.0 * kDegree), epsilon), 0.5 * 0.75 * 0.5,
+              1e-3);
 }
 
 TEST(PairRadius, IsThatOfSphereAndCylinder) {

@@ -49,7 +49,8 @@ TEST(CircularSpread, WrapsAround) {
 class BallSpreadTest : public ::testing::Test {
  protected:
   BallSpread spread(const Vec3& axis) const {
-    return spreadOnBall(ball_.view(), {static_cast<float>(axis.x()), static_cast<float>(axis.y()), static_cast<float>(axis.z())});
+    return spreadOnBall(ball_.view(),
+                        {static_cast<float>(axis.x()), static_cast<float>(axis.y()), static_cast<float>(axis.z())});
   }
 
   /// Weighted mean of the bins' directions, signs aligned with the axis.

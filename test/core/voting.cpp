@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// From votes to shapes: peaks between bins, recovery of the cone, candidates of exact surfaces, ablations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::patchOf;
+using test::pointOn;
+using test::SurfacePoint;
+
+constexpr double kDegree = M_PI / 180.0;
+
+/// Strongest candidate of one reference among exact samples; only the kinds of the paper's joint voting that are on.
+std::vector<Candidate> candidatesOf(const std::vector<SurfacePoint>& points, double diameter,
+                                    const Params& params = presetParams("paper")) {
+  std::vector<Candidate> candidates;
+  PairVoting(params).vote(test::samplesOf(points), diameter, candidates);
+  return candidates;
+}
+
+template <class T>
+std::vector<T> shapesOf(const std::vector<Candidate>& candidates) {
+  std::vector<T> shapes;
+  for (const Candidate& candidate : candidates) {
+    if (const T* shape = std::get_if<T>(&candidate.shape)) shapes.push_back(*shape);
+  }
+  return shapes;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+TEST(SphereVotes, FindRadiusBetweenTwoBins) {
+  Random random(21);
+  // Bins of 10 mm: centres at 0.095 and 0.105.
+  for (const double radius : {0.0975, 0.1, 0.1033}) {
+    const Sphere sphere = {Vec3(0.0, 0.0, 1.0), radius};
+    const std::vector<Candidate> candidates = candidatesOf(patchOf(sphere, 300, random), 2.0);
+    const std::vector<Sphere> spheres = shapesOf<Sphere>(candidates);
+    ASSERT_GT(spheres.size(), 250u);
+    for (const Sphere& found : spheres) {
+      // Exact data: what is left is float rounding of the radius at the smallest angles.
+      EXPECT_NEAR(found.radius, radius, 1e-4);
+      EXPECT_LT((found.center - sphere.center).norm(), 2e-4);
+    }
+  }
+}
+
+TEST(SphereVotes, WithoutBinAveragesGiveTheBinCentre) {
+  Random random(22);
+  Params params = presetParams("paper");
+  params.average_bins = false;
+  const std::vector<Candidate> candidates =
+      candidatesOf(patchOf(Sphere{Vec3(0.0, 0.0, 1.0), 0.1033}, 300, random), 2.0, params);
+  for (const Sphere& found : shapesOf<Sphere>(candidates)) EXPECT_NEAR(found.radius, 0.105, 1e-9);
+  EXPECT_FALSE(shapesOf<Sphere>(candidates).empty());
+}
+
+TEST(CylinderVotes, FindRadiusAndAxisBetweenBins) {
+  Random random(23);
+  Params params = presetParams("paper");
+  params.detect_cones = false;
+  for (int trial = 0; trial < 5; ++trial) {
+    const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), random.uniform(0.06, 0.2)};
+    const std::vector<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
+    const std::vector<Cylinder> cylinders = shapesOf<Cylinder>(candidates);
+    ASSERT_GT(cylinders.size(), 300u);
+    std::vector<double> radius_errors, axis_errors;
+    for (const Cylinder& found : cylinders) {
+      radius_errors.push_back(std::abs(found.radius - cylinder.radius));
+      axis_errors.push_back(test::lineAngle(found.axis, cylinder.axis));
+    }
+    EXPECT_LT(median(radius_errors), 2e-4);
+    EXPECT_LT(median(axis_errors), 0.05 * kDegree);
+  }
+}
+
+TEST(CylinderVotes, AverageAcrossTheWrapOfPhi) {
+  // A reference whose tangent_y is a hair's breadth from the axis: the votes fall on both sides of phi = 0.
+  for (const double offset : {-0.02, 0.0, 0.02}) {
+    const Vec3 normal = Vec3(0.0, 0.0, -1.0);
+    const Vec3 tangent = normal.unitOrthogonal();
+    const Cylinder cylinder = {Vec3(0.0, 0.0, 1.0), Eigen::AngleAxisd(offset, normal) * tangent, 0.1};
+    std::vector<SurfacePoint> points = {{Vec3(0.0, 0.0, 0.9), normal}};
+    for (double angle = -1.2; angle < 1.2; angle += 0.05) {
+      const Vec3 out = Eigen::AngleAxisd(angle, cylinder.axis) * normal;
+      for (const double height : {-0.1, 0.0, 0.1}) {
+        points.push_back({cylinder.point + height * cylinder.axis + 0.1 * out, out});
+      }
+    }
+    Params params = presetParams("paper");
+    params.references = 1;
+    params.detect_cones = false;
+    const std::vector<Cylinder> found = shapesOf<Cylinder>(candidatesOf(points, 2.0, params));
+    ASSERT_EQ(found.size(), 1u) << offset;
+    EXPECT_LT(test::lineAngle(found[0].axis, cylinder.axis), 0.1 * kDegree) << offset;
+  }
+}
+
+TEST(ConeVotes, FindApexAxisAndAngle) {
+  Random random(24);
+  Params params = presetParams("paper");
+  params.detect_cylinders = params.detect_spheres = false;
+  for (int trial = 0; trial < 6; ++trial) {
+    const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
+    const std::vector<Candidate> candidates = candidatesOf(patchOf(cone, 500, 0.05, 0.3, random), 2.0, params);
+    const std::vector<Cone> cones = shapesOf<Cone>(candidates);
+    ASSERT_GT(cones.size(), 300u) << trial;
+    std::vector<double> apex_errors, axis_errors, angle_errors;
+    for (const Cone& found : cones) {
+      apex_errors.push_back((found.apex - cone.apex).norm());
+      axis_errors.push_back(std::acos(std::min(1.0, found.axis.dot(cone.axis))));
+      angle_errors.push_back(std::abs(found.half_angle - cone.half_angle));
+    }
+    // The ball's weights are not exact (a sixth of 10 deg at worst); signs must be right, hence acos of the signed
+    // product.
+    EXPECT_LT(median(axis_errors), 1.5 * kDegree) << trial;
+    EXPECT_LT(median(angle_errors), 1.5 * kDegree) << trial;
+    EXPECT_LT(median(apex_errors), 0.02) << trial;
+  }
+}
+
+TEST(ConeRecovery, GivesBackEveryConeFromItsVotingParameters) {
+  Random random(25);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Cone cone = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.02, 1.5)};
+    const double height = random.uniform(0.05, 1.0);
+    const SurfacePoint p = pointOn(cone, height, random.uniform(0.0, 6.0));
+    const double axis_distance = height * std::tan(cone.half_angle) / std::cos(cone.half_angle);
+    const Vec3 unsigned_axis = trial % 2 ? cone.axis : Vec3(-cone.axis);
+    const std::optional<Cone> found = coneFromVotes(p.point, p.normal, unsigned_axis, axis_distance);
+    ASSERT_TRUE(found);
+    EXPECT_LT((found->apex - cone.apex).norm(), 1e-6);
+    EXPECT_LT((found->axis - cone.axis).norm(), 1e-9);
+    EXPECT_NEAR(found->half_angle, cone.half_angle, 1e-9);
+  }
+}
+
+TEST(ConeRecovery, RefusesTheCylinderAndThePlane) {
+  EXPECT_FALSE(coneFromVotes(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.1));  // apex at infinity
+  EXPECT_FALSE(coneFromVotes(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitX(), 0.1));  // half angle pi / 2
+}
+
+TEST(ConeVotes, NearACylinderStayWithinTheAngleLimit) {
+  Random random(26);
+  const Params params = presetParams("paper");
+  const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), Vec3(0.2, 1.0, 0.1).normalized(), 0.1};
+  const std::vector<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
+  for (const Cone& cone : shapesOf<Cone>(candidates)) EXPECT_GE(cone.half_angle, params.min_half_angle_deg * kDegree);
+  // The exact axis lies in the tangent plane, where the cone has no apex: the cylinder is what is left.
+  EXPECT_GT(shapesOf<Cylinder>(candidates).size(), 300u);
+}
+
+TEST(AxisThroughTheReference, GivesNoCandidateAndNoNan) {
+  // Points of a disc seen along its normal: every axis through the reference, C2 = C3 = 0.
+  const Plane plane = {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  std::vector<SurfacePoint> points = {pointOn(plane, 0.0, 0.0)};
+  for (int i = 0; i < 40; ++i) {
+    SurfacePoint p = pointOn(plane, 0.1 * std::cos(i), 0.1 * std::sin(i));
+    p.normal = (p.normal + 0.4 * (p.point - points[0].point).cross(p.normal) / 0.1).normalized();  // twisted, d.n_i = 0
+    points.push_back(p);
+  }
+  Params params = presetParams("paper");
+  params.references = 1;
+  for (const Candidate& candidate : candidatesOf(points, 2.0, params)) {
+    EXPECT_TRUE(project(candidate.shape, Vec3::Zero()).allFinite());
+  }
+}
+
+TEST(PairVoting, NeedsMoreThanMinVotes) {
+  Random random(27);
+  const Sphere sphere = {Vec3(0.0, 0.0, 1.0), 0.1};
+  EXPECT_TRUE(candidatesOf(patchOf(sphere, 6, random), 2.0).empty());
+  EXPECT_FALSE(candidatesOf(patchOf(sphere, 60, random), 2.0).empty());
+}
+
+TEST(PairVoting, ProposesPlanesOnAPlane) {
+  Random random(28);
+  const Plane plane = {Vec3(0.0, 0.2, 1.0), Vec3(0.1, -0.9, -0.3).normalized()};
+  const std::vector<Candidate> candidates = candidatesOf(patchOf(plane, 200, 0.2, random), 2.0);
+  EXPECT_GT(shapesOf<Plane>(candidates).size(), 150u);
+  EXPECT_EQ(shapesOf<Plane>(candidates).size(), candidates.size());
+}
+
+TEST(PairVoting, SkipsSamplesWithoutNormals) {
+  std::vector<SurfacePoint> points;
+  Random random(29);
+  for (SurfacePoint p : patchOf(Sphere{Vec3(0.0, 0.0, 1.0), 0.1}, 100, random)) {
+    p.normal.setConstant(std::numeric_limits<double>::quiet_NaN());
+    points.push_back(p);
+  }
+  EXPECT_TRUE(candidatesOf(points, 2.0).empty());
+}
+
+}  // namespace
+}  // namespace primitect
