@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole pipeline on exact scenes and on clouds that hold nothing.
+#include "primitect/detector.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::patchOf;
+using test::SurfacePoint;
+
+constexpr double kDegree = M_PI / 180.0;
+
+const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
+const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
+const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
+const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
+
+/// A table with a ball, a can and a cone: 8000 exact points with normals.
+Cloud tabletop() {
+  Random random(41);
+  std::vector<SurfacePoint> points = patchOf(kTable, 4000, 0.5, random);
+  const auto add = [&points](const std::vector<SurfacePoint>& more) {
+    points.insert(points.end(), more.begin(), more.end());
+  };
+  add(patchOf(kBall, 1300, random));
+  add(patchOf(kCan, 1300, -0.1, 0.1, random));
+  add(patchOf(kHat, 1400, 0.03, 0.25, random));
+  return test::cloudOf(points);
+}
+
+template <class T>
+const T* only(const Detections& detections) {
+  const T* found = nullptr;
+  for (const Detection& detection : detections.items) {
+    const T* shape = std::get_if<T>(&detection.shape);
+    if (!shape) continue;
+    if (found) return nullptr;
+    found = shape;
+  }
+  return found;
+}
+
+class DetectorPreset : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(DetectorPreset, FindsTableBallCanAndCone) {
+  Detector detector(presetParams(GetParam()));
+  const Detections& result = detector.detect(tabletop());
+  EXPECT_EQ(result.status, Status::ok);
+  const Plane* plane = only<Plane>(result);
+  const Sphere* sphere = only<Sphere>(result);
+  const Cylinder* cylinder = only<Cylinder>(result);
+  const Cone* cone = only<Cone>(result);
+  ASSERT_TRUE(plane && sphere && cylinder && cone) << result.items.size() << " detections";
+  EXPECT_LT(test::lineAngle(plane->normal, kTable.normal), 1.0 * kDegree);
+  EXPECT_LT(std::abs(distance(*plane, kTable.point)), 0.005);
+  // A third of a radius bin, which is 0.005 d_s, about 8 mm.
+  EXPECT_LT((sphere->center - kBall.center).norm(), 0.003);
+  EXPECT_NEAR(sphere->radius, kBall.radius, 0.003);
+  EXPECT_NEAR(cylinder->radius, kCan.radius, 0.003);
+  EXPECT_LT(test::lineAngle(cylinder->axis, kCan.axis), 2.0 * kDegree);
+  EXPECT_NEAR(cone->half_angle, kHat.half_angle, 2.0 * kDegree);
+  EXPECT_LT((cone->apex - kHat.apex).norm(), 0.02);
+  EXPECT_GT(cone->axis.dot(kHat.axis), std::cos(3.0 * kDegree));
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, DetectorPreset, ::testing::Values("paper", "default"));
+
+TEST(Detector, FillsWhatItKnowsAndSaysUnknownOfTheRest) {
+  Detector detector{Params()};
+  for (const Detection& detection : detector.detect(tabletop()).items) {
+    EXPECT_GT(detection.votes, 8.0f);
+    EXPECT_GE(detection.inlier_count, 20u);
+    EXPECT_GE(detection.rms_error, 0.0f);
+    EXPECT_EQ(detection.confidence, kUnknown);
+    EXPECT_EQ(detection.covariance[0], -1.0);
+    EXPECT_EQ(detection.truncated, kTruncationUnknown);
+    EXPECT_EQ(detection.track_id, 0u);
+  }
+}
+
+TEST(Detector, RepeatsItselfBitForBit) {
+  const Cloud cloud = tabletop();
+  Detector first{Params()}, second{Params()};
+  first.detect(test::cloudOf({}));  // earlier frames leave no trace
+  const Detections a = first.detect(cloud);
+  const Detections b = second.detect(cloud);
+  ASSERT_EQ(a.items.size(), b.items.size());
+  for (std::size_t k = 0; k < a.items.size(); ++k) {
+    EXPECT_EQ(a.items[k].shape.index(), b.items[k].shape.index());
+    EXPECT_EQ(a.items[k].extent.origin, b.items[k].extent.origin);
+    EXPECT_EQ(a.items[k].extent.size, b.items[k].extent.size);
+    EXPECT_EQ(a.items[k].votes, b.items[k].votes);
+    EXPECT_EQ(a.items[k].inlier_count, b.items[k].inlier_count);
+  }
+}
+
+TEST(Detector, GivesTheReasonWhenNothingCanComeOut) {
+  Detector detector{Params()};
+  Cloud cloud;
+  EXPECT_EQ(detector.detect(cloud).status, Status::empty_input);
+  cloud.reset(64, 48, false);  // all missing
+  EXPECT_EQ(detector.detect(cloud).status, Status::empty_input);
+  EXPECT_EQ(detector.detect(cloud).points_in, 64u * 48u);
+  EXPECT_EQ(detector.detect(cloud).points_used, 0u);
+  for (std::size_t i = 0; i < 15; ++i) cloud.setPoint(i, 0.1f * static_cast<float>(i), 0.0f, 1.0f, {});
+  EXPECT_EQ(detector.detect(cloud).status, Status::too_few_points);
+  cloud.reset(1000, 1, true);  // all in one place
+  for (std::size_t i = 0; i < 1000; ++i) {
+    cloud.setPoint(i, 0.5f, 0.5f, 1.0f, {});
+    cloud.setNormal(i, 0.0f, 0.0f, -1.0f);
+  }
+  EXPECT_EQ(detector.detect(cloud).status, Status::too_few_points);
+  EXPECT_TRUE(detector.detect(cloud).items.empty());
+}
+
+TEST(Detector, FindsNothingInPureNoise) {
+  Random random(42);
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 4000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
+  Detector detector{Params()};
+  const Detections& result = detector.detect(test::cloudOf(points));
+  EXPECT_EQ(result.status, Status::ok);
+  EXPECT_TRUE(result.items.empty());
+}
+
+TEST(Detector, LabelsPointsOfWhatItFound) {
+  const Cloud cloud = tabletop();
+  Detector detector{Params()};
+  const Detections& result = detector.detect(cloud);
+  std::vector<std::uint32_t> labels;
+  detector.label(cloud, labels);
+  ASSERT_EQ(labels.size(), cloud.size());
+  int right = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Kind truth = i < 4000 ? Kind::plane : i < 5300 ? Kind::sphere : i < 6600 ? Kind::cylinder : Kind::cone;
+    ASSERT_LE(labels[i], result.items.size());
+    right += labels[i] != 0 && kindOf(result.items[labels[i] - 1].shape) == truth;
+  }
+  // Where two shapes touch, the nearer one may be the other.
+  EXPECT_GT(right, static_cast<int>(0.93 * static_cast<double>(cloud.size())));
+}
+
+TEST(Detector, LooksOnlyForTheKindsThatAreOn) {
+  Params params;
+  params.detect_planes = params.detect_cylinders = params.detect_cones = false;
+  Detector detector(params);
+  const Detections& result = detector.detect(tabletop());
+  ASSERT_FALSE(result.items.empty());
+  for (const Detection& detection : result.items) EXPECT_EQ(kindOf(detection.shape), Kind::sphere);
+}
+
+TEST(Detector, RefusesParametersOutOfRange) {
+  Params params;
+  params.samples = 3;
+  EXPECT_THROW(Detector{params}, std::invalid_argument);
+}
+
+TEST(Detector, NamesItsStagesInOrder) {
+  Detector detector{Params()};
+  std::string stages;
+  detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + " "; });
+  detector.detect(tabletop());
+  EXPECT_EQ(stages, "sample normals vote cluster segment extent ");
+}
+
+}  // namespace
+}  // namespace primitect
