@@ -77,8 +77,8 @@ INSTANTIATE_TEST_SUITE_P(Presets, DetectorPreset, ::testing::Values("paper", "de
 TEST(Detector, FillsWhatItKnowsAndSaysUnknownOfTheRest) {
   Detector detector{Params()};
   for (const Detection& detection : detector.detect(tabletop()).items) {
-    EXPECT_GT(detection.votes, 8.0f);
-    EXPECT_GE(detection.inlier_count, 20u);
+    EXPECT_GT(detection.votes, Params().min_votes);
+    EXPECT_GE(detection.inlier_count, 30u);
     EXPECT_GE(detection.rms_error, 0.0f);
     EXPECT_EQ(detection.confidence, kUnknown);
     EXPECT_EQ(detection.covariance[0], -1.0);
