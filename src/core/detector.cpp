@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The pipeline: sample, normals, vote, cluster, segment, extent.
+// The pipeline: rounds of sample, normals, vote, cluster, segment, extent.
 #include "primitect/detector.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "core/clustering.h"
 #include "core/extent.h"
+#include "core/labeling.h"
 #include "core/normals.h"
 #include "core/pair_voting.h"
 #include "core/sampling.h"
@@ -58,13 +59,50 @@ struct Detector::Workspace {
     if (stage_done) stage_done(stage);
   }
 
+  double inlierDistance() const { return params.inlier_distance * result.scene_diameter; }
+
+  /// Forgets the last frame and looks whether this one can be used.
+  void begin(const Cloud& cloud) {
+    samples.clear();
+    all_samples.clear();
+    segments.clear();
+    result = {};
+    result.points_in = static_cast<std::uint32_t>(cloud.size());
+    result.points_used = cloud.valid_count;
+    result.status = statusOf(cloud);
+  }
+
+  /// Draws the samples of a round from what no earlier round explained; false when there is nothing left to vote.
+  bool draw(const Cloud& cloud, int round) {
+    labels.clear();
+    // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
+    constexpr double kOutskirts = 2.0;
+    if (round > 0) labelPoints(cloud, result.items, kOutskirts * inlierDistance(), labels);
+    drawSamples(cloud, labels, params.samples, static_cast<std::uint64_t>(params.seed) + round, samples);
+    if (round > 0) return samples.size() >= kFewestPoints;
+    result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
+    // All points in one place have no scale and no normals.
+    if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
+    return result.status == Status::ok;
+  }
+
+  void describeSegments() {
+    result.items.clear();
+    for (const Segment& segment : segments) {
+      if (!segment.inliers.empty()) result.items.push_back(describe(segment, all_samples, inliers));
+    }
+    result.samples = static_cast<std::uint32_t>(all_samples.size());
+  }
+
   Params params;
   std::function<void(const char*)> stage_done;
   PairVoting voting;
-  Samples samples;
+  Samples samples;      ///< of this round
+  Samples all_samples;  ///< of all rounds of this frame
   std::vector<Candidate> candidates;
   std::vector<Segment> segments;
   std::vector<Vec3> inliers;
+  std::vector<std::uint32_t> labels;
   Detections result;
 };
 
@@ -76,7 +114,7 @@ Detector& Detector::operator=(Detector&&) noexcept = default;
 const Params& Detector::params() const { return work_->params; }
 
 SampleView Detector::samples() const {
-  const Samples& s = work_->samples;
+  const Samples& s = work_->all_samples;
   return {s.x, s.y, s.z, s.nx, s.ny, s.nz};
 }
 
@@ -84,57 +122,28 @@ void Detector::onStageDone(std::function<void(const char*)> callback) { work_->s
 
 const Detections& Detector::detect(const Cloud& cloud) {
   Workspace& w = *work_;
-  w.samples.clear();
-  w.result = {};
-  w.result.points_in = static_cast<std::uint32_t>(cloud.size());
-  w.result.points_used = cloud.valid_count;
-  w.result.status = statusOf(cloud);
-  if (w.result.status != Status::ok) return w.result;
-
-  drawSamples(cloud, w.params.samples, w.params.seed, w.samples);
-  const double diameter = w.params.scene_diameter > 0.0 ? w.params.scene_diameter : boundingBoxDiagonal(w.samples);
-  w.done("sample");
-  // All points in one place have no scale and no normals.
-  if (!(diameter > 0.0)) w.result.status = Status::too_few_points;
-  if (w.result.status != Status::ok) return w.result;
-
-  estimateNormals(cloud, w.params, w.samples);
-  w.done("normals");
-
-  w.voting.vote(w.samples, diameter, w.candidates);
-  w.done("vote");
-
-  clusterCandidates(w.candidates, w.params, diameter);
-  w.done("cluster");
-
-  segmentSamples(w.samples, w.candidates, w.params, diameter, w.segments);
-  w.done("segment");
-
-  for (const Segment& segment : w.segments) {
-    if (!segment.inliers.empty()) w.result.items.push_back(describe(segment, w.samples, w.inliers));
+  w.begin(cloud);
+  for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
+    if (!w.draw(cloud, round)) break;
+    w.done("sample");
+    estimateNormals(cloud, w.params, w.samples);
+    w.done("normals");
+    w.voting.vote(w.samples, w.result.scene_diameter, w.candidates);
+    w.done("vote");
+    clusterCandidates(w.candidates, w.params, w.result.scene_diameter);
+    w.done("cluster");
+    selectSegments(w.samples, w.candidates, w.params, w.result.scene_diameter, w.segments);
+    w.all_samples.append(w.samples);
+    assignSamples(w.all_samples, w.params, w.result.scene_diameter, w.segments);
+    w.done("segment");
+    w.describeSegments();
+    w.done("extent");
   }
-  w.result.samples = static_cast<std::uint32_t>(w.samples.size());
-  w.result.scene_diameter = diameter;
-  w.done("extent");
   return w.result;
 }
 
 void Detector::label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
-  const Detections& result = work_->result;
-  const double margin = work_->params.inlier_distance * result.scene_diameter;
-  labels.assign(cloud.size(), 0);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!cloud.valid(i)) continue;
-    const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
-    double nearest = margin;
-    for (std::size_t k = 0; k < result.items.size(); ++k) {
-      const Detection& detection = result.items[k];
-      const double away = std::abs(distance(detection.shape, point));
-      if (!(away < nearest) || !contains(detection.shape, detection.extent, point, margin)) continue;
-      nearest = away;
-      labels[i] = static_cast<std::uint32_t>(k + 1);
-    }
-  }
+  labelPoints(cloud, work_->result.items, work_->inlierDistance(), labels);
 }
 
 }  // namespace primitect

@@ -95,11 +95,21 @@ const Entry& entryOf(const std::string& name) {
 /// The preset "paper" is section "Choice of parameters" of the paper.
 const std::map<std::string, std::vector<Setting>>& presets() {
   static const std::vector<Setting> kPaper = {
-      {"samples", 2048},          {"references", 2048},        {"pair_distance", 0.2},
-      {"radius_bin", 0.005},      {"radius_bins", 40},         {"angle_bin_deg", 10.0},
-      {"epsilon_deg", 10.0},      {"convex_planes", true},     {"spread_votes", true},
-      {"average_bins", true},     {"min_votes", 8.0},          {"clustering", std::string("average")},
-      {"cluster_distance", 0.01}, {"cluster_angle_deg", 20.0},
+      {"rounds", 1},
+      {"samples", 2048},
+      {"references", 2048},
+      {"pair_distance", 0.2},
+      {"radius_bin", 0.005},
+      {"radius_bins", 40},
+      {"angle_bin_deg", 10.0},
+      {"epsilon_deg", 10.0},
+      {"convex_planes", true},
+      {"spread_votes", true},
+      {"average_bins", true},
+      {"min_votes", 8.0},
+      {"clustering", std::string("average")},
+      {"cluster_distance", 0.01},
+      {"cluster_angle_deg", 20.0},
   };
   static const std::vector<Setting> kDrost = [] {
     std::vector<Setting> settings = kPaper;

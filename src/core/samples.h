@@ -20,6 +20,12 @@ struct Samples {
     for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz}) values->clear();
     index.clear();
   }
+  void append(const Samples& more) {
+    const auto add = [](auto& values, const auto& other) { values.insert(values.end(), other.begin(), other.end()); };
+    add(x, more.x), add(y, more.y), add(z, more.z);
+    add(nx, more.nx), add(ny, more.ny), add(nz, more.nz);
+    add(index, more.index);
+  }
   void resize(std::size_t count) {
     for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz}) values->resize(count);
     index.resize(count);

@@ -40,22 +40,34 @@ std::uint32_t zCurvePlace(const Box& box, float x, float y, float z) {
          (everyThirdBit(cell(z, box.low[2])) << 2);
 }
 
-/// Cloud indices of the drawn points, in the cloud's order.
-void drawIndices(const Cloud& cloud, std::size_t count, std::uint64_t seed, std::vector<std::uint32_t>& indices) {
+/// Which points can be drawn.
+struct FreePoints {
+  const Cloud& cloud;
+  const std::vector<std::uint32_t>& labels;
+
+  bool operator()(std::size_t i) const { return cloud.valid(i) && (labels.empty() || labels[i] == 0); }
+  std::size_t count() const {
+    if (labels.empty()) return cloud.valid_count;
+    std::size_t free_count = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i) free_count += (*this)(i) ? 1 : 0;
+    return free_count;
+  }
+};
+
+/// Cloud indices of the drawn points, in the cloud's order; count is at most free_count.
+void drawIndices(const FreePoints& is_free, std::size_t free_count, std::size_t count, std::uint64_t seed,
+                 std::vector<std::uint32_t>& indices) {
   Random random(seed);
   indices.clear();
-  const std::uint64_t valid_count = cloud.valid_count;
-  std::uint64_t rank = 0;    // of the valid point being looked at
-  std::uint64_t wanted = 0;  // rank of the next sample
   const auto drawRank = [&](std::uint64_t run) {
-    const std::uint64_t first = run * valid_count / count;
-    const std::uint64_t end = (run + 1) * valid_count / count;
+    const std::uint64_t first = run * free_count / count;
+    const std::uint64_t end = (run + 1) * free_count / count;
     return first + random.below(end - first);
   };
-  wanted = drawRank(0);
-  for (std::size_t i = 0; i < cloud.size() && indices.size() < count; ++i) {
-    if (!cloud.valid(i)) continue;
-    if (rank++ != wanted) continue;
+  std::uint64_t rank = 0;  // of the free point being looked at
+  std::uint64_t wanted = drawRank(0);
+  for (std::size_t i = 0; i < is_free.cloud.size() && indices.size() < count; ++i) {
+    if (!is_free(i) || rank++ != wanted) continue;
     indices.push_back(static_cast<std::uint32_t>(i));
     if (indices.size() < count) wanted = drawRank(indices.size());
   }
@@ -63,12 +75,15 @@ void drawIndices(const Cloud& cloud, std::size_t count, std::uint64_t seed, std:
 
 }  // namespace
 
-void drawSamples(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples) {
+void drawSamples(const Cloud& cloud, const std::vector<std::uint32_t>& labels, std::size_t count, std::uint64_t seed,
+                 Samples& samples) {
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
   samples.clear();
-  count = std::min<std::size_t>(count, cloud.valid_count);
+  const FreePoints is_free = {cloud, labels};
+  const std::size_t free_count = is_free.count();
+  count = std::min(count, free_count);
   if (count == 0) return;
-  drawIndices(cloud, count, seed, samples.index);
+  drawIndices(is_free, free_count, count, seed, samples.index);
   const auto gather = [&] {
     samples.resize(samples.index.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {

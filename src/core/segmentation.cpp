@@ -3,6 +3,7 @@
 // Greedy selection of candidates by the samples they explain, then nearest assignment.
 #include "core/segmentation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,23 +26,11 @@ double inlierDistance(const Shape& shape, const Samples& samples, std::size_t i,
   return samples.normal(i).dot(normalAt(shape, point)) > tolerance.cos_angle ? away : kNone;
 }
 
-void selectGreedily(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                    const Tolerance& tolerance, std::vector<Segment>& segments) {
-  std::vector<bool> explained(samples.size(), false);
-  std::vector<std::uint32_t> own;
-  for (const Candidate& candidate : candidates) {
-    if (!withinLimits(candidate.shape, params)) continue;
-    own.clear();
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (explained[i] || std::isinf(inlierDistance(candidate.shape, samples, i, tolerance))) continue;
-      own.push_back(static_cast<std::uint32_t>(i));
-    }
-    if (own.size() < static_cast<std::size_t>(params.min_inliers)) continue;
-    for (const std::uint32_t i : own) explained[i] = true;
-    segments.push_back({candidate, {}});
-  }
+Tolerance toleranceOf(const Params& params, double scene_diameter) {
+  return {params.inlier_distance * scene_diameter, std::cos(params.inlier_angle_deg * kDegree)};
 }
 
+/// Gives every sample to the nearest segment.
 void assignToNearest(const Samples& samples, const Tolerance& tolerance, std::vector<Segment>& segments) {
   for (Segment& segment : segments) segment.inliers.clear();
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -70,12 +59,45 @@ bool withinLimits(const Shape& shape, const Params& params) {
                    cone->half_angle <= params.max_half_angle_deg * kDegree);
 }
 
-void segmentSamples(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
+void selectSegments(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
                     double scene_diameter, std::vector<Segment>& segments) {
-  segments.clear();
-  const Tolerance tolerance = {params.inlier_distance * scene_diameter, std::cos(params.inlier_angle_deg * kDegree)};
-  selectGreedily(samples, candidates, params, tolerance, segments);
+  const Tolerance tolerance = toleranceOf(params, scene_diameter);
+  std::vector<bool> explained(samples.size(), false);
+  for (const Segment& segment : segments) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (std::isfinite(inlierDistance(segment.candidate.shape, samples, i, tolerance))) explained[i] = true;
+    }
+  }
+  std::vector<std::uint32_t> own;
+  for (const Candidate& candidate : candidates) {
+    if (!withinLimits(candidate.shape, params)) continue;
+    own.clear();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (explained[i] || std::isinf(inlierDistance(candidate.shape, samples, i, tolerance))) continue;
+      own.push_back(static_cast<std::uint32_t>(i));
+    }
+    if (own.size() < static_cast<std::size_t>(params.min_inliers)) continue;
+    for (const std::uint32_t i : own) explained[i] = true;
+    segments.push_back({candidate, own});
+  }
+}
+
+void assignSamples(const Samples& samples, const Params& params, double scene_diameter,
+                   std::vector<Segment>& segments) {
+  const Tolerance tolerance = toleranceOf(params, scene_diameter);
+  const auto weak = [&params](const Segment& segment) {
+    return segment.inliers.size() < static_cast<std::size_t>(params.min_inliers);
+  };
   assignToNearest(samples, tolerance, segments);
+  // Weakest first: what it held may carry another one over the limit.
+  while (!segments.empty()) {
+    const auto weakest = std::min_element(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
+      return a.inliers.size() < b.inliers.size();
+    });
+    if (!weak(*weakest)) return;
+    segments.erase(weakest);
+    assignToNearest(samples, tolerance, segments);
+  }
 }
 
 }  // namespace primitect

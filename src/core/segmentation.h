@@ -19,10 +19,14 @@ struct Segment {
 };
 
 /// Takes the candidates in their order; each keeps the samples near it (params.inlier_distance * d_s,
-/// params.inlier_angle_deg) that no earlier one explains, and becomes a segment when these are at least
-/// params.min_inliers. Then every sample goes to the nearest of the segments.
-void segmentSamples(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
+/// params.inlier_angle_deg) that no earlier one explains, and is added to the segments when these are at least
+/// params.min_inliers.
+void selectSegments(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
                     double scene_diameter, std::vector<Segment>& segments);
+
+/// Gives every sample to the nearest of the segments within the same tolerances, or to none; segments that keep fewer
+/// than params.min_inliers go.
+void assignSamples(const Samples& samples, const Params& params, double scene_diameter, std::vector<Segment>& segments);
 
 /// The shape's size is within the limits of params.
 bool withinLimits(const Shape& shape, const Params& params);

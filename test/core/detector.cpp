@@ -164,12 +164,38 @@ TEST(Detector, RefusesParametersOutOfRange) {
   EXPECT_THROW(Detector{params}, std::invalid_argument);
 }
 
-TEST(Detector, NamesItsStagesInOrder) {
-  Detector detector{Params()};
+TEST(Detector, NamesItsStagesInOrderInEachRound) {
+  Params params;
+  params.rounds = 2;
+  Detector detector(params);
   std::string stages;
   detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + " "; });
-  detector.detect(tabletop());
-  EXPECT_EQ(stages, "sample normals vote cluster segment extent ");
+  // Noise, so that something is left for the second round.
+  Random random(43);
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 4000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
+  detector.detect(test::cloudOf(points));
+  const std::string round = "sample normals vote cluster segment extent ";
+  EXPECT_EQ(stages, round + round);
+}
+
+TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
+  // A ball of 60 points on a table of 20000: too few samples in one round.
+  Random random(44);
+  std::vector<SurfacePoint> points = patchOf(kTable, 20000, 0.5, random);
+  for (const SurfacePoint& p : patchOf(kBall, 60, random)) points.push_back(p);
+  const Cloud cloud = test::cloudOf(points);
+  Params params;
+  params.rounds = 1;
+  Detector one(params);
+  EXPECT_EQ(only<Sphere>(one.detect(cloud)), nullptr);
+  params.rounds = 2;
+  Detector two(params);
+  const Detections& result = two.detect(cloud);
+  const Sphere* sphere = only<Sphere>(result);
+  ASSERT_TRUE(sphere);
+  EXPECT_NEAR(sphere->radius, kBall.radius, 0.003);
+  EXPECT_TRUE(only<Plane>(result));
 }
 
 }  // namespace

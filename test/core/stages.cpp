@@ -76,7 +76,7 @@ TEST(Sampling, DrawsValidPointsOnceSpreadOverTheCloud) {
   cloud.valid_count =
       static_cast<std::uint32_t>(std::count_if(cloud.z.begin(), cloud.z.end(), [](float z) { return z == z; }));
   Samples samples;
-  drawSamples(cloud, 1000, 1, samples);
+  drawSamples(cloud, {}, 1000, 1, samples);
   ASSERT_EQ(samples.size(), 1000u);
   std::set<std::uint32_t> unique(samples.index.begin(), samples.index.end());
   EXPECT_EQ(unique.size(), 1000u);
@@ -92,21 +92,33 @@ TEST(Sampling, TakesAllPointsOfASmallCloudAndNoneOfAnEmptyOne) {
   Random random(31);
   const Cloud cloud = test::cloudOf(patchOf(Sphere{Vec3(0, 0, 1), 0.1}, 50, random));
   Samples samples;
-  drawSamples(cloud, 1000, 1, samples);
+  drawSamples(cloud, {}, 1000, 1, samples);
   EXPECT_EQ(samples.size(), 50u);
   Cloud empty;
   empty.reset(10, 10, false);
-  drawSamples(empty, 1000, 1, samples);
+  drawSamples(empty, {}, 1000, 1, samples);
   EXPECT_EQ(samples.size(), 0u);
   EXPECT_EQ(boundingBoxDiagonal(samples), 0.0);
+}
+
+TEST(Sampling, LeavesOutThePointsThatHaveALabel) {
+  const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  std::vector<std::uint32_t> labels(cloud.size(), 3);
+  for (std::size_t i = 5000; i < 5100; ++i) labels[i] = 0;
+  Samples samples;
+  drawSamples(cloud, labels, 60, 1, samples);
+  EXPECT_EQ(samples.size(), 60u);
+  for (const std::uint32_t i : samples.index) EXPECT_TRUE(5000 <= i && i < 5100) << i;
+  drawSamples(cloud, labels, 1000, 1, samples);
+  EXPECT_EQ(samples.size(), 100u);
 }
 
 TEST(Sampling, DependsOnTheSeedAlone) {
   const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   Samples a, b, c;
-  drawSamples(cloud, 500, 7, a);
-  drawSamples(cloud, 500, 7, b);
-  drawSamples(cloud, 500, 8, c);
+  drawSamples(cloud, {}, 500, 7, a);
+  drawSamples(cloud, {}, 500, 7, b);
+  drawSamples(cloud, {}, 500, 8, c);
   EXPECT_EQ(a.index, b.index);
   EXPECT_NE(a.index, c.index);
 }
@@ -114,7 +126,7 @@ TEST(Sampling, DependsOnTheSeedAlone) {
 TEST(Sampling, PutsNeighborsInSpaceNearEachOtherInMemory) {
   const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   Samples samples;
-  drawSamples(cloud, 1024, 1, samples);
+  drawSamples(cloud, {}, 1024, 1, samples);
   double step = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) step += (samples.point(i) - samples.point(i - 1)).norm() / 1023.0;
   // 1024 samples on 1.14 m x 0.86 m are 31 mm apart; in raster order the mean step would be a third of a row, 380 mm.
@@ -175,7 +187,7 @@ TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
   cloud.ny.clear();
   cloud.nz.clear();
   Samples samples;
-  drawSamples(cloud, 200, 1, samples);
+  drawSamples(cloud, {}, 200, 1, samples);
   estimateNormals(cloud, Params(), samples);
   std::vector<double> errors;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -279,10 +291,12 @@ TEST(Segmentation, ExplainsEachSampleAtMostOnce) {
   const Samples samples = test::samplesOf(points);
   const Sphere double_of_a = {Vec3(0, 0, 1.002), 0.101};
   std::vector<Segment> segments;
-  segmentSamples(samples,
+  segments.clear();
+  selectSegments(samples,
                  {candidate(a, points[0], 9), candidate(double_of_a, points[0], 5), candidate(b, points[150], 3)},
                  Params(), 2.0, segments);
   ASSERT_EQ(segments.size(), 2u);
+  assignSamples(samples, Params(), 2.0, segments);
   EXPECT_EQ(segments[0].inliers.size(), 100u);
   EXPECT_EQ(segments[1].inliers.size(), 100u);
   EXPECT_EQ(std::get<Sphere>(segments[1].candidate.shape).center, b.center);
@@ -296,15 +310,18 @@ TEST(Segmentation, AsksForDistanceNormalAndNumber) {
   Params params;
   params.min_inliers = 15;
   std::vector<Segment> segments;
-  segmentSamples(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, 2.0, segments);
+  segments.clear();
+  selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, 2.0, segments);
   ASSERT_EQ(segments.size(), 1u);
   EXPECT_EQ(segments[0].inliers.size(), 15u);
   params.min_inliers = 16;
-  segmentSamples(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, 2.0, segments);
+  segments.clear();
+  selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, 2.0, segments);
   EXPECT_TRUE(segments.empty());
   params.min_inliers = 3;
   const Plane moved = {Vec3(0, 0, 1.011), -Vec3::UnitZ()};  // tolerance 0.005 d_s = 10 mm
-  segmentSamples(test::samplesOf(points), {candidate(moved, points[20], 9)}, params, 2.0, segments);
+  segments.clear();
+  selectSegments(test::samplesOf(points), {candidate(moved, points[20], 9)}, params, 2.0, segments);
   EXPECT_TRUE(segments.empty());
 }
 
