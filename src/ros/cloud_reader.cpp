@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks every size in 64 bits against the bytes that are there, then reads them once.
+#include "cloud_reader.h"
+
+#include <array>
+#include <cstring>
+
+namespace primitect::ros_layer {
+namespace {
+
+using sensor_msgs::PointCloud2;
+using sensor_msgs::PointField;
+
+const std::array<const char*, 3> kPositionNames = {"x", "y", "z"};
+const std::array<const char*, 3> kNormalNames = {"normal_x", "normal_y", "normal_z"};
+
+/// Where a number stands in a point.
+struct Slot {
+  std::uint32_t offset = 0;
+  bool is_double = false;
+};
+using Slots = std::array<Slot, 3>;
+
+const PointField* findField(const PointCloud2& message, const char* name) {
+  for (const PointField& field : message.fields) {
+    if (field.name == name) return &field;
+  }
+  return nullptr;
+}
+
+std::string typeName(std::uint8_t datatype) {
+  const char* const names[] = {"none", "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
+  return datatype < 9 ? names[datatype] : "unknown type " + std::to_string(datatype);
+}
+
+std::string fieldList(const PointCloud2& message) {
+  std::string list;
+  for (const PointField& field : message.fields) list += (list.empty() ? "" : ", ") + field.name;
+  return list.empty() ? "none" : list;
+}
+
+/// Fills the slot, or says what is wrong with the field.
+std::string checkField(const PointCloud2& message, const char* name, Slot& slot) {
+  const PointField* field = findField(message, name);
+  const std::string label = std::string("field '") + name + "'";
+  if (!field) return label + " is missing (fields: " + fieldList(message) + "); expected x, y, z as float32 or float64";
+  slot.is_double = field->datatype == PointField::FLOAT64;
+  if (!slot.is_double && field->datatype != PointField::FLOAT32) {
+    return label + " is " + typeName(field->datatype) + "; expected float32 or float64";
+  }
+  if (field->count != 1) return label + " has count " + std::to_string(field->count) + "; expected 1";
+  const std::uint64_t end = std::uint64_t{field->offset} + (slot.is_double ? sizeof(double) : sizeof(float));
+  if (end > message.point_step) {
+    return label + " ends at byte " + std::to_string(end) +
+           " of a point; expected at most point_step = " + std::to_string(message.point_step);
+  }
+  slot.offset = field->offset;
+  return {};
+}
+
+std::string checkFields(const PointCloud2& message, const std::array<const char*, 3>& names, Slots& slots) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::string error = checkField(message, names[i], slots[i]);
+    if (!error.empty()) return error;
+  }
+  return {};
+}
+
+std::string checkSizes(const PointCloud2& message) {
+  const std::uint64_t points = std::uint64_t{message.width} * message.height;
+  if (points > kMaxPoints) {
+    return "width * height is " + std::to_string(points) + " points; expected at most " + std::to_string(kMaxPoints);
+  }
+  const std::uint64_t row_bytes = std::uint64_t{message.width} * message.point_step;
+  if (message.row_step < row_bytes) {
+    return "row_step is " + std::to_string(message.row_step) +
+           " bytes; expected at least width * point_step = " + std::to_string(row_bytes);
+  }
+  // The padding after the last row is not needed.
+  const std::uint64_t needed = std::uint64_t{message.row_step} * (message.height - 1) + row_bytes;
+  if (message.data.size() < needed) {
+    return "data holds " + std::to_string(message.data.size()) + " bytes; expected at least " + std::to_string(needed) +
+           " for " + std::to_string(message.width) + " x " + std::to_string(message.height) + " points";
+  }
+  return {};
+}
+
+bool bringsNormals(const PointCloud2& message) {
+  for (const char* name : kNormalNames) {
+    if (findField(message, name)) return true;
+  }
+  return false;
+}
+
+std::string checkMessage(const PointCloud2& message, bool with_normals, Slots& position, Slots& normal) {
+  if (message.is_bigendian) return "data is big-endian; expected little-endian";
+  std::string error = checkFields(message, kPositionNames, position);
+  if (error.empty() && with_normals) error = checkFields(message, kNormalNames, normal);
+  return error.empty() ? checkSizes(message) : error;
+}
+
+float readSlot(const std::uint8_t* point, Slot slot) {
+  if (slot.is_double) {
+    double value;
+    std::memcpy(&value, point + slot.offset, sizeof value);
+    return static_cast<float>(value);
+  }
+  float value;
+  std::memcpy(&value, point + slot.offset, sizeof value);
+  return value;
+}
+
+/// Calls store(index, a, b, c) for every point; without doubles the inner loop has no branch on the type.
+template <typename Store>
+void readTriples(const PointCloud2& message, Slots slots, Store store) {
+  const bool floats_only = !slots[0].is_double && !slots[1].is_double && !slots[2].is_double;
+  std::size_t index = 0;
+  for (std::uint32_t row = 0; row < message.height; ++row) {
+    const std::uint8_t* point = message.data.data() + std::size_t{row} * message.row_step;
+    if (floats_only) {
+      for (std::uint32_t column = 0; column < message.width; ++column, ++index, point += message.point_step) {
+        float a, b, c;
+        std::memcpy(&a, point + slots[0].offset, sizeof a);
+        std::memcpy(&b, point + slots[1].offset, sizeof b);
+        std::memcpy(&c, point + slots[2].offset, sizeof c);
+        store(index, a, b, c);
+      }
+    } else {
+      for (std::uint32_t column = 0; column < message.width; ++column, ++index, point += message.point_step) {
+        store(index, readSlot(point, slots[0]), readSlot(point, slots[1]), readSlot(point, slots[2]));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string readCloud(const sensor_msgs::PointCloud2& message, const DepthRange& range, bool with_normals,
+                      Cloud& cloud) {
+  cloud.reset(0, 0, false);
+  if (message.width == 0 || message.height == 0) return {};
+  with_normals = with_normals && bringsNormals(message);
+  Slots position, normal;
+  std::string error = checkMessage(message, with_normals, position, normal);
+  if (!error.empty()) return error;
+
+  cloud.reset(message.width, message.height, with_normals);
+  readTriples(message, position, [&](std::size_t i, float x, float y, float z) { cloud.setPoint(i, x, y, z, range); });
+  if (with_normals) {
+    readTriples(message, normal, [&](std::size_t i, float x, float y, float z) { cloud.setNormal(i, x, y, z); });
+  }
+  return {};
+}
+
+}  // namespace primitect::ros_layer

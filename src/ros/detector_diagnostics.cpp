@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Three tasks, each a summary and its numbers.
+#include "detector_diagnostics.h"
+
+namespace primitect::ros_layer {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+/// A subscribed input that is silent for longer is worth a warning (s).
+constexpr double kSilenceSeconds = 5.0;
+
+}  // namespace
+
+void FrameCounters::count(const PrimitiveArray& message) {
+  if (message.status < kStatusCount) ++by_status[message.status];
+  last_status = message.status;
+  last_points_in = message.points_in;
+  last_points_used = message.points_used;
+  last_by_kind = {};
+  for (const Primitive& primitive : message.primitives) {
+    ++last_by_kind[primitive.type];
+    ++by_kind[primitive.type];
+  }
+}
+
+DetectorDiagnostics::DetectorDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                                         const std::string& name)
+    : updater_(handle, private_handle, name) {
+  updater_.setHardwareID("none");
+  updater_.add("input", [this](DiagnosticStatusWrapper& status) { fillInput(status); });
+  updater_.add("detection", [this](DiagnosticStatusWrapper& status) { fillDetection(status); });
+  updater_.add("timing", [this](DiagnosticStatusWrapper& status) { fillTiming(status); });
+}
+
+void DetectorDiagnostics::frameReceived() {
+  ++counters_.frames_in;
+  last_frame_ = SteadyClock::now();
+}
+
+void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const std::string& error) {
+  counters_.count(message);
+  last_error_ = error;
+}
+
+void DetectorDiagnostics::frameFailed(const std::string& error) {
+  ++counters_.failed;
+  last_error_ = error;
+}
+
+void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times) {
+  if (subscribed && !subscribed_) last_frame_ = SteadyClock::now();
+  subscribed_ = subscribed;
+  times_ = &times;
+  updater_.force_update();
+  times_ = nullptr;
+}
+
+void DetectorDiagnostics::startAnew() {
+  counters_ = FrameCounters();
+  last_error_.clear();
+}
+
+void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
+  const double silence = secondsSince(last_frame_);
+  if (!last_error_.empty()) {
+    status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
+  } else if (!subscribed_) {
+    status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
+  } else if (silence > kSilenceSeconds) {
+    status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", silence);
+  } else {
+    status.summary(DiagnosticStatus::OK, "receiving");
+  }
+  status.add("frames in", counters_.frames_in);
+  for (std::size_t i = 0; i < FrameCounters::kStatusCount; ++i) {
+    const std::string name = statusName(static_cast<Status>(i));
+    status.add(i == 0 ? "processed" : "rejected: " + name, counters_.by_status[i]);
+  }
+  status.add("failed", counters_.failed);
+  status.add("points in last cloud", counters_.last_points_in);
+  status.add("valid points in last cloud", counters_.last_points_used);
+}
+
+void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {
+  std::string summary;
+  for (std::size_t i = 0; i < kKindCount; ++i) {
+    const std::string name = kindName(static_cast<Kind>(i));
+    summary += (i == 0 ? "" : ", ") + name + " " + std::to_string(counters_.last_by_kind[i]);
+    status.add(name + " in last frame", counters_.last_by_kind[i]);
+    status.add(name + " in all frames", counters_.by_kind[i]);
+  }
+  status.summary(DiagnosticStatus::OK, summary);
+  status.add("last status", statusName(static_cast<Status>(counters_.last_status)));
+}
+
+void DetectorDiagnostics::fillTiming(DiagnosticStatusWrapper& status) const {
+  status.summary(DiagnosticStatus::OK, "no frame yet");
+  if (!times_) return;
+  for (const StageSummary& s : times_->summaries()) {
+    status.addf(s.stage + " ms p50 p95 max", "%.2f %.2f %.2f", s.median, s.p95, s.max);
+    if (s.stage == "total") status.summaryf(DiagnosticStatus::OK, "%.1f ms a frame (median)", s.median);
+  }
+}
+
+}  // namespace primitect::ros_layer

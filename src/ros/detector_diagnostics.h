@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the detector says about itself on /diagnostics: input, detection, timing.
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <primitect/PrimitiveArray.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "primitect/primitives.h"
+#include "steady_time.h"
+
+namespace primitect::ros_layer {
+
+/// Counters since the start or the last backward time jump.
+struct FrameCounters {
+  static constexpr std::size_t kStatusCount = 5;
+
+  std::uint64_t frames_in = 0;
+  std::uint64_t failed = 0;                                 ///< ended by an exception
+  std::array<std::uint64_t, kStatusCount> by_status = {};   ///< frames of each PrimitiveArray.status
+  std::array<std::uint64_t, kKindCount> by_kind = {};       ///< primitives reported
+  std::array<std::uint32_t, kKindCount> last_by_kind = {};  ///< primitives of the last frame
+  std::uint32_t last_points_in = 0;
+  std::uint32_t last_points_used = 0;
+  std::uint8_t last_status = PrimitiveArray::OK;
+
+  void count(const PrimitiveArray& message);
+};
+
+class DetectorDiagnostics {
+ public:
+  /// name: the node's or nodelet's full name.
+  DetectorDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
+
+  void frameReceived();
+  void frameDone(const PrimitiveArray& message, const std::string& error);
+  void frameFailed(const std::string& error);
+
+  /// Publishes now; for a wall timer, as the updater's own clock stalls when time jumps back.
+  void publish(bool subscribed, const StageTimes& times);
+  void startAnew();
+
+ private:
+  void fillInput(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  void fillDetection(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  void fillTiming(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  FrameCounters counters_;
+  std::string last_error_;
+  bool subscribed_ = false;
+  SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
+  const StageTimes* times_ = nullptr;                        ///< only while publish() runs
+  diagnostic_updater::Updater updater_;
+};
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts, subscribes while someone listens, processes, publishes what is listened to.
+#include "detector_nodelet.h"
+
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "messages.h"
+
+namespace primitect::ros_layer {
+namespace {
+
+using Lock = boost::recursive_mutex::scoped_lock;
+
+/// Clouds of one sensor may arrive a little out of order; a bag that starts again jumps farther.
+constexpr double kTimeJumpSeconds = 0.1;
+
+}  // namespace
+
+DetectorNodelet::~DetectorNodelet() { stop(); }
+
+void DetectorNodelet::onInit() {
+  const Lock lock(mutex_);
+  try {
+    start();
+    started_ = true;
+  } catch (const std::exception& error) {
+    NODELET_FATAL_STREAM(getName() << " does not start: " << error.what());
+    stop();
+  }
+}
+
+void DetectorNodelet::start() {
+  ros::NodeHandle& private_handle = getPrivateNodeHandle();
+  const LoadedParams loaded = loadParams(privateParameters(private_handle));
+  NODELET_INFO_STREAM(getName() << ": preset '" << loaded.preset
+                                << "', parameters that differ from it: " << differenceText(loaded));
+  pipeline_ = std::make_unique<FramePipeline>(loaded.params);
+  diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
+  if (!loaded.params.target_frame.empty()) {
+    transforms_ = std::make_unique<tf2_ros::Buffer>();
+    transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
+  }
+  writeParams(private_handle, loaded.params);
+  reconfigure_ = std::make_unique<dynamic_reconfigure::Server<DetectorConfig>>(mutex_, private_handle);
+  reconfigure_->setCallback([this](DetectorConfig& config, std::uint32_t level) { onReconfigure(config, level); });
+  advertise();
+  diagnostics_timer_ = getNodeHandle().createWallTimer(ros::WallDuration(1.0),
+                                                       [this](const ros::WallTimerEvent&) { onDiagnosticsTimer(); });
+}
+
+void DetectorNodelet::advertise() {
+  ros::NodeHandle& private_handle = getPrivateNodeHandle();
+  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) { onConnectionChange(); };
+  constexpr std::uint32_t kQueue = 5;
+  primitives_ = private_handle.advertise<PrimitiveArray>("primitives", kQueue, changed, changed);
+  markers_ = private_handle.advertise<visualization_msgs::MarkerArray>("markers", kQueue, changed, changed);
+  labels_ = private_handle.advertise<sensor_msgs::PointCloud2>("labels", 1, changed, changed);
+  normals_ = private_handle.advertise<sensor_msgs::PointCloud2>("normals", 1, changed, changed);
+}
+
+/// Without the lock: shutting down waits for a running callback, and that may be waiting for the lock.
+void DetectorNodelet::stop() {
+  input_.shutdown();
+  diagnostics_timer_.stop();
+  reconfigure_.reset();
+  for (ros::Publisher* publisher : {&primitives_, &markers_, &labels_, &normals_}) publisher->shutdown();
+}
+
+void DetectorNodelet::onConnectionChange() try {
+  const Lock lock(mutex_);
+  const bool wanted = primitives_.getNumSubscribers() + markers_.getNumSubscribers() + labels_.getNumSubscribers() +
+                          normals_.getNumSubscribers() >
+                      0;
+  if (!wanted) {
+    input_.shutdown();
+  } else if (!input_) {
+    input_ = getPrivateNodeHandle().subscribe("input", 1, &DetectorNodelet::onCloud, this,
+                                              ros::TransportHints().tcpNoDelay());
+  }
+} catch (const std::exception& error) {
+  NODELET_ERROR_STREAM(getName() << " could not change its subscription: " << error.what());
+}
+
+void DetectorNodelet::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  const Lock lock(mutex_);
+  try {
+    processCloud(*cloud);
+  } catch (const std::exception& error) {
+    diagnostics_->frameFailed(error.what());
+    if (failure_warning_.ready()) NODELET_ERROR_STREAM(getName() << " failed on a cloud: " << error.what());
+  }
+}
+
+void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
+  startAnewIfTimeWentBack(cloud.header.stamp);
+  diagnostics_->frameReceived();
+  pipeline_->times().begin();
+  PrimitiveArray message = pipeline_->process(cloud);
+  std::string problem = pipeline_->error();
+  if (!problem.empty() && input_warning_.ready()) {
+    NODELET_WARN_STREAM(getName() << " refuses a cloud on " << input_.getTopic() << ": " << problem);
+  }
+  if (problem.empty()) problem = toTargetFrame(message);
+  pipeline_->times().stageDone("message");
+  message.processing_time = static_cast<float>(pipeline_->times().end());
+  diagnostics_->frameDone(message, problem);
+  publish(cloud, message);
+}
+
+void DetectorNodelet::publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message) {
+  if (primitives_.getNumSubscribers() > 0) primitives_.publish(message);
+  if (markers_.getNumSubscribers() > 0) {
+    marker_style_.alpha = pipeline_->params().marker_alpha;
+    marker_style_.lifetime = pipeline_->params().marker_lifetime;
+    markers_.publish(marker_writer_.update(message, marker_style_));
+  }
+  if (!pipeline_->error().empty()) return;  // there is no cloud to show
+  if (labels_.getNumSubscribers() > 0) labels_.publish(pipeline_->labels(cloud.header));
+  if (normals_.getNumSubscribers() > 0) normals_.publish(pipeline_->normals(cloud.header));
+}
+
+void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
+  const double backwards = (last_stamp_ - stamp).toSec();
+  last_stamp_ = stamp;
+  if (backwards <= kTimeJumpSeconds) return;
+  NODELET_INFO_STREAM(getName() << ": time went back by " << backwards << " s, starting anew");
+  marker_writer_.startAnew();
+  diagnostics_->startAnew();
+  pipeline_->times().clear();
+}
+
+std::string DetectorNodelet::toTargetFrame(PrimitiveArray& message) {
+  const std::string target = pipeline_->params().target_frame;
+  const std::string source = message.header.frame_id;
+  Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();
+  std::string problem;
+  if (!target.empty() && target != source) {
+    try {
+      target_from_source = tf2::transformToEigen(transforms_->lookupTransform(target, source, message.header.stamp));
+    } catch (const tf2::TransformException& error) {
+      problem = "no transform from '" + source + "' to target_frame '" + target + "': " + error.what();
+      message.primitives.clear();
+      message.status = PrimitiveArray::NO_TRANSFORM;
+      if (transform_warning_.ready()) NODELET_WARN_STREAM(getName() << ": " << problem);
+    }
+    transformPrimitives(target_from_source, message);
+    message.header.frame_id = target;
+  }
+  marker_style_.viewpoint = target_from_source.translation();
+  marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
+  return problem;
+}
+
+void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level) {
+  const Lock lock(mutex_);
+  try {
+    pipeline_->setParams(fromConfig(config, pipeline_->params()));
+    if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
+  } catch (const std::exception& error) {
+    NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());
+    copyToConfig(pipeline_->params(), config);
+  }
+}
+
+void DetectorNodelet::onDiagnosticsTimer() try {
+  const Lock lock(mutex_);
+  diagnostics_->publish(static_cast<bool>(input_), pipeline_->times());
+} catch (const std::exception& error) {
+  NODELET_ERROR_STREAM(getName() << " could not publish diagnostics: " << error.what());
+}
+
+}  // namespace primitect::ros_layer
+
+PLUGINLIB_EXPORT_CLASS(primitect::ros_layer::DetectorNodelet, nodelet::Nodelet)

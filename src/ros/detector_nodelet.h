@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The nodelet primitect/detector: topics, parameters and time around a FramePipeline.
+#pragma once
+
+#include <dynamic_reconfigure/server.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <memory>
+#include <string>
+
+#include "detector_diagnostics.h"
+#include "frame_pipeline.h"
+#include "markers.h"
+#include "parameters.h"
+
+namespace primitect::ros_layer {
+
+class DetectorNodelet : public nodelet::Nodelet {
+ public:
+  ~DetectorNodelet() override;
+
+  /// False when onInit() refused to start; the log says why.
+  bool started() const { return started_; }
+
+ private:
+  void onInit() override;
+  void start();
+  void advertise();
+  void stop();
+
+  void onConnectionChange();
+  void onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void onReconfigure(DetectorConfig& config, std::uint32_t level);
+  void onDiagnosticsTimer();
+
+  void processCloud(const sensor_msgs::PointCloud2& cloud);
+  void publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message);
+  void startAnewIfTimeWentBack(const ros::Time& stamp);
+  /// Moves the primitives to target_frame; empty, or why that is not possible.
+  std::string toTargetFrame(PrimitiveArray& message);
+
+  /// Callbacks are serial, but onInit() runs in another thread than they do.
+  boost::recursive_mutex mutex_;
+  bool started_ = false;
+
+  std::unique_ptr<FramePipeline> pipeline_;
+  std::unique_ptr<DetectorDiagnostics> diagnostics_;
+  MarkerWriter marker_writer_;
+  MarkerStyle marker_style_;
+  ros::Time last_stamp_;
+  Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
+
+  std::unique_ptr<tf2_ros::Buffer> transforms_;
+  std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
+  std::unique_ptr<dynamic_reconfigure::Server<DetectorConfig>> reconfigure_;
+  ros::Publisher primitives_, markers_, labels_, normals_;
+  ros::Subscriber input_;
+  ros::WallTimer diagnostics_timer_;
+};
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// One cloud message in, one primitive message out: what the nodelet does with a frame, without topics.
+#pragma once
+
+#include <primitect/PrimitiveArray.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <string>
+#include <vector>
+
+#include "primitect/detector.h"
+#include "steady_time.h"
+
+namespace primitect::ros_layer {
+
+class FramePipeline {
+ public:
+  /// Throws std::invalid_argument as Detector does.
+  explicit FramePipeline(const Params& params);
+  FramePipeline(const FramePipeline&) = delete;
+  FramePipeline& operator=(const FramePipeline&) = delete;
+
+  /// Throws std::invalid_argument as Detector does; then the old ones stay.
+  void setParams(const Params& params);
+  const Params& params() const { return detector_.params(); }
+
+  /// Reads the cloud and detects; a cloud that cannot be read gives the status REJECTED_INPUT and error().
+  /// processing_time is left 0.
+  PrimitiveArray process(const sensor_msgs::PointCloud2& message);
+
+  /// What was wrong with the last cloud and what was expected; empty: nothing.
+  const std::string& error() const { return error_; }
+
+  /// Of the last cloud that process() could read.
+  sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
+  sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;
+
+  StageTimes& times() { return times_; }
+
+ private:
+  Detector makeDetector(const Params& params);
+
+  StageTimes times_;
+  Detector detector_;
+  Cloud cloud_;
+  Detections detections_;
+  std::vector<std::uint32_t> labels_;
+  std::string error_;
+};
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Field by field, as Primitive.msg describes it.
+#include "messages.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace primitect::ros_layer {
+namespace {
+
+static_assert(static_cast<int>(Kind::plane) == Primitive::PLANE && static_cast<int>(Kind::sphere) == Primitive::SPHERE);
+static_assert(static_cast<int>(Kind::cylinder) == Primitive::CYLINDER);
+static_assert(static_cast<int>(Kind::cone) == Primitive::CONE);
+static_assert(int{kTruncatedByImage} == Primitive::TRUNCATED_BY_IMAGE);
+static_assert(int{kTruncatedByDepth} == Primitive::TRUNCATED_BY_DEPTH);
+static_assert(int{kTruncatedByOcclusion} == Primitive::TRUNCATED_BY_OCCLUSION);
+static_assert(int{kTruncationUnknown} == Primitive::TRUNCATED_UNKNOWN);
+static_assert(static_cast<int>(Status::ok) == PrimitiveArray::OK);
+static_assert(static_cast<int>(Status::empty_input) == PrimitiveArray::EMPTY_INPUT);
+static_assert(static_cast<int>(Status::too_few_points) == PrimitiveArray::TOO_FEW_POINTS);
+static_assert(static_cast<int>(Status::rejected_input) == PrimitiveArray::REJECTED_INPUT);
+static_assert(static_cast<int>(Status::no_transform) == PrimitiveArray::NO_TRANSFORM);
+
+geometry_msgs::Point pointMessage(const Vec3& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
+geometry_msgs::Point32 point32Message(const Vec3& p) {
+  geometry_msgs::Point32 point;
+  point.x = static_cast<float>(p.x());
+  point.y = static_cast<float>(p.y());
+  point.z = static_cast<float>(p.z());
+  return point;
+}
+
+template <typename PointMessage>
+Vec3 toVec3(const PointMessage& p) {
+  return Vec3(p.x, p.y, p.z);
+}
+
+/// Of the two quaternions of a rotation the one with w >= 0, so that the same rotation gives the same bytes.
+geometry_msgs::Quaternion quaternionMessage(const Eigen::Matrix3d& rotation) {
+  Eigen::Quaterniond q(rotation);
+  q.normalize();
+  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
+
+Eigen::Matrix3d toRotation(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+}
+
+Shape shapeOf(const Primitive& message, const Extent& extent) {
+  const Vec3 axis = extent.rotation.col(2);
+  switch (message.type) {
+    case Primitive::PLANE:
+      return Plane{extent.origin, axis};
+    case Primitive::SPHERE:
+      return Sphere{extent.origin, message.radius};
+    case Primitive::CYLINDER:
+      return Cylinder{extent.origin, axis, message.radius};
+    case Primitive::CONE:
+      return Cone{toVec3(message.apex), axis, message.half_angle};
+  }
+  throw std::invalid_argument("Primitive.type is " + std::to_string(message.type) +
+                              "; expected 0 (plane), 1 (sphere), 2 (cylinder) or 3 (cone)");
+}
+
+Extent extentOf(const Primitive& message) {
+  Extent extent;
+  extent.origin = toVec3(message.pose.pose.position);
+  extent.rotation = toRotation(message.pose.pose.orientation);
+  extent.size = Vec3(message.size[0], message.size[1], message.size[2]);
+  extent.radius = message.radius;
+  extent.radius_small = message.radius_small;
+  for (const geometry_msgs::Point32& p : message.hull) extent.hull.push_back(toVec3(p));
+  return extent;
+}
+
+Detection fromMessage(const Primitive& message) {
+  Detection detection;
+  detection.extent = extentOf(message);
+  detection.shape = shapeOf(message, detection.extent);
+  detection.votes = message.votes;
+  detection.inlier_count = message.inlier_count;
+  detection.rms_error = message.rms_error;
+  detection.confidence = message.confidence;
+  detection.coverage = message.coverage;
+  detection.radius_stddev = message.radius_stddev;
+  detection.half_angle_stddev = message.half_angle_stddev;
+  std::copy(message.pose.covariance.begin(), message.pose.covariance.end(), detection.covariance.begin());
+  detection.concave = message.concave;
+  detection.truncated = message.truncated;
+  detection.track_id = message.track_id;
+  detection.age = message.age;
+  return detection;
+}
+
+using Covariance = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+void rotateCovariance(const Eigen::Matrix3d& rotation, boost::array<double, 36>& values) {
+  if (values[0] < 0.0) return;  // unknown
+  Covariance both = Covariance::Zero();
+  both.topLeftCorner<3, 3>() = rotation;
+  both.bottomRightCorner<3, 3>() = rotation;
+  Eigen::Map<Covariance> covariance(values.data());
+  covariance = (both * covariance * both.transpose()).eval();
+}
+
+}  // namespace
+
+Primitive toMessage(const Detection& detection, std::uint32_t id) {
+  Primitive message;
+  const Extent& extent = detection.extent;
+  message.type = static_cast<std::uint8_t>(kindOf(detection.shape));
+  message.id = id;
+  message.track_id = detection.track_id;
+  message.age = detection.age;
+  message.pose.pose.position = pointMessage(extent.origin);
+  message.pose.pose.orientation = quaternionMessage(extent.rotation);
+  std::copy(detection.covariance.begin(), detection.covariance.end(), message.pose.covariance.begin());
+  message.radius = static_cast<float>(extent.radius);
+  message.radius_small = static_cast<float>(extent.radius_small);
+  if (const Cone* cone = std::get_if<Cone>(&detection.shape)) {
+    message.half_angle = static_cast<float>(cone->half_angle);
+    message.apex = pointMessage(cone->apex);
+  }
+  for (std::size_t i = 0; i < 3; ++i) message.size[i] = static_cast<float>(extent.size[static_cast<int>(i)]);
+  for (const Vec3& p : extent.hull) message.hull.push_back(point32Message(p));
+  message.radius_stddev = detection.radius_stddev;
+  message.half_angle_stddev = detection.half_angle_stddev;
+  message.confidence = detection.confidence;
+  message.votes = detection.votes;
+  message.inlier_count = detection.inlier_count;
+  message.rms_error = detection.rms_error;
+  message.coverage = detection.coverage;
+  message.concave = detection.concave;
+  message.truncated = detection.truncated;
+  return message;
+}
+
+PrimitiveArray toMessage(const Detections& detections, const std_msgs::Header& header) {
+  PrimitiveArray message;
+  message.header = header;
+  message.primitives.reserve(detections.items.size());
+  for (const Detection& detection : detections.items) {
+    message.primitives.push_back(toMessage(detection, static_cast<std::uint32_t>(message.primitives.size())));
+  }
+  message.points_in = detections.points_in;
+  message.points_used = detections.points_used;
+  message.samples = detections.samples;
+  message.status = static_cast<std::uint8_t>(detections.status);
+  return message;
+}
+
+Detections fromMessage(const PrimitiveArray& message) {
+  Detections detections;
+  for (const Primitive& primitive : message.primitives) detections.items.push_back(fromMessage(primitive));
+  detections.status = static_cast<Status>(message.status);
+  detections.points_in = message.points_in;
+  detections.points_used = message.points_used;
+  detections.samples = message.samples;
+  return detections;
+}
+
+void transformPrimitives(const Eigen::Isometry3d& target_from_source, PrimitiveArray& message) {
+  for (Primitive& primitive : message.primitives) {
+    geometry_msgs::Pose& pose = primitive.pose.pose;
+    pose.position = pointMessage(target_from_source * toVec3(pose.position));
+    pose.orientation = quaternionMessage(target_from_source.rotation() * toRotation(pose.orientation));
+    rotateCovariance(target_from_source.rotation(), primitive.pose.covariance);
+    if (primitive.type == Primitive::CONE) primitive.apex = pointMessage(target_from_source * toVec3(primitive.apex));
+    for (geometry_msgs::Point32& p : primitive.hull) p = point32Message(target_from_source * toVec3(p));
+  }
+}
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame a tick; nothing is rendered while nobody subscribes.
+#include "synthetic_camera_nodelet.h"
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "messages.h"
+#include "parameters.h"
+#include "synthetic/tabletop.h"
+#include "synthetic_messages.h"
+
+namespace primitect::ros_layer {
+namespace {
+
+using Text = std::string;
+
+const std::vector<ParamInfo>& settingsTable() {
+  static const std::vector<ParamInfo> kTable = {
+      {"rate", "", 30.0, 0.1, 200.0, {}, "Hz", "frames a second"},
+      {"speed", "", 1.0, 0.0, 10.0, {}, "", "how fast the camera moves; 0 = it stands still"},
+      {"seed", "", 1, 0, 2147483647, {}, "", "which tabletop, and its noise"},
+      {"noise_scale", "", 1.0, 0.0, 10.0, {}, "", "times the sensor's depth noise; 0 = exact depths"},
+      {"width", "", 640, 16, 2048, {}, "px", "of the image; the field of view stays the same"},
+      {"height", "", 480, 16, 2048, {}, "px", "of the image"},
+      {"frame_id", "", Text("camera_depth_optical_frame"), 0, 0, {}, "", "of the camera"},
+      {"world_frame", "", Text("world"), 0, 0, {}, "", "in which the camera moves"},
+      {"depth_encoding", "", Text("32FC1"), 0, 0, {"32FC1", "16UC1"}, "", "of the depth image: m or mm"},
+  };
+  return kTable;
+}
+
+/// The camera's field of view at another resolution.
+synthetic::PinholeCamera scaledCamera(int width, int height) {
+  synthetic::PinholeCamera camera;
+  const double scale = static_cast<double>(width) / camera.width;
+  camera.width = width;
+  camera.height = height;
+  camera.fx *= scale;
+  camera.fy *= scale;
+  camera.cx = 0.5 * (width - 1);
+  camera.cy = 0.5 * (height - 1);
+  return camera;
+}
+
+}  // namespace
+
+SyntheticCameraNodelet::~SyntheticCameraNodelet() {
+  timer_.stop();
+  for (ros::Publisher* publisher : {&points_, &image_, &info_, &truth_}) publisher->shutdown();
+}
+
+void SyntheticCameraNodelet::onInit() {
+  try {
+    start();
+    started_ = true;
+  } catch (const std::exception& error) {
+    NODELET_FATAL_STREAM(getName() << " does not start: " << error.what());
+  }
+}
+
+void SyntheticCameraNodelet::start() {
+  settings_ = loadSettings();
+  world_ = synthetic::tabletop(settings_.seed);
+  broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
+  ros::NodeHandle& handle = getNodeHandle();
+  points_ = handle.advertise<sensor_msgs::PointCloud2>("depth/points", 2);
+  image_ = handle.advertise<sensor_msgs::Image>("depth/image_raw", 2);
+  info_ = handle.advertise<sensor_msgs::CameraInfo>("depth/camera_info", 2);
+  truth_ = getPrivateNodeHandle().advertise<PrimitiveArray>("truth", 2);
+  timer_ = handle.createTimer(ros::Duration(1.0 / settings_.rate), [this](const ros::TimerEvent&) { onTimer(); });
+}
+
+SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
+  const auto values = loadTable(settingsTable(), privateParameters(getPrivateNodeHandle()));
+  Settings settings;
+  settings.rate = std::get<double>(values.at("rate"));
+  settings.speed = std::get<double>(values.at("speed"));
+  settings.seed = static_cast<std::uint64_t>(std::get<int>(values.at("seed")));
+  settings.frame_id = std::get<Text>(values.at("frame_id"));
+  settings.world_frame = std::get<Text>(values.at("world_frame"));
+  settings.depth_encoding = std::get<Text>(values.at("depth_encoding"));
+  settings.camera = scaledCamera(std::get<int>(values.at("width")), std::get<int>(values.at("height")));
+  settings.frame.noise.scale = std::get<double>(values.at("noise_scale"));
+  if (settings.frame.noise.scale == 0.0) settings.frame.noise.disparity_step = 0.0;
+  // As many pixels as needed at the default resolution, in proportion.
+  const double shrink = static_cast<double>(settings.camera.pixelCount()) / synthetic::PinholeCamera().pixelCount();
+  settings.frame.truth.min_pixels = static_cast<std::uint32_t>(settings.frame.truth.min_pixels * shrink);
+  return settings;
+}
+
+void SyntheticCameraNodelet::onTimer() try {
+  const double seconds = settings_.speed * static_cast<double>(frame_index_) / settings_.rate;
+  const Eigen::Isometry3d world_from_camera = synthetic::cameraPose(seconds);
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  header.frame_id = settings_.frame_id;
+  broadcaster_->sendTransform(cameraTransform(header, settings_.world_frame, world_from_camera));
+  publishFrame(header, world_from_camera);
+  ++frame_index_;
+} catch (const std::exception& error) {
+  NODELET_ERROR_STREAM(getName() << " could not make a frame: " << error.what());
+}
+
+void SyntheticCameraNodelet::publishFrame(const std_msgs::Header& header, const Eigen::Isometry3d& world_from_camera) {
+  if (info_.getNumSubscribers() > 0) info_.publish(cameraInfo(header, settings_.camera));
+  if (points_.getNumSubscribers() + image_.getNumSubscribers() + truth_.getNumSubscribers() == 0) return;
+  const synthetic::Frame frame = synthetic::renderFrame(world_, settings_.camera, world_from_camera, settings_.frame,
+                                                        settings_.seed, frame_index_);
+  if (truth_.getNumSubscribers() > 0) truth_.publish(toMessage(frame.truth, header));
+  if (image_.getNumSubscribers() > 0) {
+    image_.publish(depthImage(header, frame.depth, settings_.camera, settings_.depth_encoding));
+  }
+  if (points_.getNumSubscribers() > 0) points_.publish(depthCloud(header, frame.depth, settings_.camera));
+}
+
+}  // namespace primitect::ros_layer
+
+PLUGINLIB_EXPORT_CLASS(primitect::ros_layer::SyntheticCameraNodelet, nodelet::Nodelet)

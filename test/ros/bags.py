@@ -1,0 +1,98 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""bag.launch: a looped bag of clouds (time jumps back at its end), and a recorded depth camera."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rosbag
+import rospy
+import rostest
+from primitect.msg import Primitive, PrimitiveArray
+from ros_helpers import Collector, cloud_message, wait_for, wall_and_ball
+from visualization_msgs.msg import Marker, MarkerArray
+
+FIRST_STAMP = 1000
+RECORDED = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "..", "shared", "bags",
+                        "sphere406_kinect2.bag")
+
+
+def write_bag(path, frames=8):
+    points = wall_and_ball()
+    with rosbag.Bag(path, "w") as bag:
+        for frame in range(frames):
+            stamp = rospy.Time(FIRST_STAMP, 250000000 * (frame % 4)) + rospy.Duration(frame // 4)
+            bag.write("/sensor/points", cloud_message(*points, stamp=stamp), stamp)
+
+
+class Launched:
+    """A launch file that runs while the with block does."""
+
+    def __init__(self, *arguments):
+        self._arguments = arguments
+
+    def __enter__(self):
+        self._process = subprocess.Popen(["roslaunch", "--wait", "primitect", *self._arguments])
+
+    def __exit__(self, *_):
+        self._process.send_signal(signal.SIGINT)
+        self._process.wait()
+
+
+class Bags(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def collect(self, name, message_type):
+        collector = Collector(name, message_type)
+        self.addCleanup(collector.stop)
+        return collector
+
+    def test_of_clouds_are_processed_and_started_anew_when_time_jumps_back(self):
+        path = os.path.join(self.folder, "clouds.bag")
+        write_bag(path)
+        primitives = self.collect("/looped/primitives", PrimitiveArray)
+        markers = self.collect("/looped/markers", MarkerArray)
+
+        def jumps():
+            stamps = [m.header.stamp for m in primitives.all()]
+            return [i for i in range(1, len(stamps)) if stamps[i] < stamps[i - 1]]
+
+        def cleared():
+            return [a for a in markers.all() if a.markers[0].action == Marker.DELETEALL]
+        with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=looped", "loop:=true", "delay:=2"):
+            self.assertTrue(wait_for(lambda: jumps() and len(cleared()) >= 2))
+        for message in primitives.all():
+            self.assertIn(message.header.stamp.secs, (FIRST_STAMP, FIRST_STAMP + 1))
+            self.assertEqual(message.header.frame_id, "camera")
+        # Everything is deleted once at the start and once a jump, not in every frame.
+        self.assertLessEqual(len(cleared()), 1 + len(jumps()))
+
+    @unittest.skipUnless(os.path.exists(RECORDED), "no recorded bag at " + RECORDED)
+    def test_of_a_depth_camera_show_the_ball(self):
+        config = os.path.join(self.folder, "far.yaml")
+        with open(config, "w", encoding="utf-8") as file:
+            file.write("preset: default\nmax_depth: 4.0\n")
+        primitives = self.collect("/recorded/primitives", PrimitiveArray)
+
+        def is_the_ball(p):  # its true radius is 0.203 m
+            return p.type == Primitive.SPHERE and abs(p.radius - 0.203) < 0.03
+
+        def with_ball():
+            return [m for m in primitives.all() if any(is_the_ball(p) for p in m.primitives)]
+        with Launched("bag.launch", "bag:=" + RECORDED, "depth:=/camera/depth_registered/image_raw", "name:=recorded",
+                      "config:=" + config, "loop:=true", "delay:=2"):
+            self.assertTrue(wait_for(lambda: len(primitives.all()) >= 10))
+        print("ball in %d of %d frames" % (len(with_ball()), len(primitives.all())))
+        self.assertGreater(len(with_ball()), len(primitives.all()) / 2)
+
+
+if __name__ == "__main__":
+    rospy.init_node("bags_test")
+    rostest.rosrun("primitect", "bags", Bags, sys.argv)

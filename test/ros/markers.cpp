@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What RViz is told to show, and to stop showing.
+#include "ros/markers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ros/messages.h"
+
+namespace primitect {
+namespace {
+
+using namespace ros_layer;
+using visualization_msgs::Marker;
+
+Detection sphereAt(double x) {
+  Detection detection;
+  detection.shape = Sphere{Vec3(x, 0.0, 1.0), 0.039};
+  detection.extent.origin = Vec3(x, 0.0, 1.0);
+  detection.extent.radius = 0.039;
+  return detection;
+}
+
+Detection squareFacingTheSensor() {
+  Detection detection;
+  detection.extent.origin = Vec3(0.0, 0.0, 1.0);
+  detection.extent.rotation = Eigen::AngleAxisd(M_PI, Vec3::UnitX()).toRotationMatrix();
+  detection.extent.size = Vec3(0.5, 0.5, 0.0);
+  detection.extent.hull = {Vec3(-0.25, -0.25, 1), Vec3(-0.25, 0.25, 1), Vec3(0.25, 0.25, 1), Vec3(0.25, -0.25, 1)};
+  detection.shape = Plane{detection.extent.origin, -Vec3::UnitZ()};
+  return detection;
+}
+
+Detection cylinderUpright() {
+  Detection detection;
+  detection.extent.origin = Vec3(0.0, 0.0, 1.0);
+  detection.extent.rotation = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()).toRotationMatrix();
+  detection.extent.size = Vec3(0.0, 0.0, 0.12);
+  detection.extent.radius = 0.039;
+  detection.shape = Cylinder{detection.extent.origin, detection.extent.rotation.col(2), 0.039};
+  return detection;
+}
+
+Detection frustum() {
+  Detection detection;
+  detection.extent.origin = Vec3(0.0, 0.0, 1.0);
+  detection.extent.size = Vec3(0.0, 0.0, 0.1);
+  detection.extent.radius = 0.06;
+  detection.extent.radius_small = 0.02;
+  detection.shape = Cone{Vec3(0.0, 0.0, 0.9), Vec3::UnitZ(), std::atan(0.4)};
+  return detection;
+}
+
+PrimitiveArray messageOf(std::vector<Detection> items) {
+  Detections detections;
+  detections.items = std::move(items);
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(5, 6);
+  return toMessage(detections, header);
+}
+
+std::vector<Marker> withAction(const visualization_msgs::MarkerArray& array, int action) {
+  std::vector<Marker> found;
+  std::copy_if(array.markers.begin(), array.markers.end(), std::back_inserter(found),
+               [action](const Marker& marker) { return marker.action == action; });
+  return found;
+}
+
+Marker markerOf(const visualization_msgs::MarkerArray& array, const std::string& name_space) {
+  for (const Marker& marker : array.markers) {
+    if (marker.ns == name_space) return marker;
+  }
+  ADD_FAILURE() << "no marker in " << name_space;
+  return {};
+}
+
+Vec3 toVec3(const geometry_msgs::Point& p) { return Vec3(p.x, p.y, p.z); }
+
+TEST(Markers, KeepStampAndFrameAndHaveUnitOrientations) {
+  MarkerWriter writer;
+  const auto array =
+      writer.update(messageOf({sphereAt(0.0), squareFacingTheSensor(), cylinderUpright(), frustum()}), MarkerStyle());
+  for (const Marker& marker : array.markers) {
+    EXPECT_EQ(marker.header.frame_id, "camera");
+    EXPECT_EQ(marker.header.stamp, ros::Time(5, 6));
+    EXPECT_FALSE(marker.frame_locked);
+    const auto& q = marker.pose.orientation;
+    EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-9) << marker.ns;
+  }
+}
+
+TEST(Markers, ShowSphereAndCylinderInTheirSize) {
+  MarkerWriter writer;
+  const auto array = writer.update(messageOf({sphereAt(0.2), cylinderUpright()}), MarkerStyle());
+  const Marker sphere = markerOf(array, "sphere");
+  EXPECT_EQ(sphere.type, Marker::SPHERE);
+  EXPECT_NEAR(sphere.scale.x, 0.078, 1e-6);
+  EXPECT_NEAR(sphere.pose.position.x, 0.2, 1e-6);
+  EXPECT_LT(sphere.color.a, 1.0f);
+  const Marker cylinder = markerOf(array, "cylinder");
+  EXPECT_EQ(cylinder.type, Marker::CYLINDER);
+  EXPECT_NEAR(cylinder.scale.y, 0.078, 1e-6);
+  EXPECT_NEAR(cylinder.scale.z, 0.12, 1e-6);
+  EXPECT_EQ(markerOf(array, "cylinder_text").text, "cylinder r 39 mm\nlength 120 mm");
+}
+
+TEST(Markers, FillThePlanesOutline) {
+  MarkerWriter writer;
+  const auto array = writer.update(messageOf({squareFacingTheSensor()}), MarkerStyle());
+  const Marker surface = markerOf(array, "plane");
+  ASSERT_EQ(surface.type, Marker::TRIANGLE_LIST);
+  ASSERT_EQ(surface.points.size(), 6u);
+  double area = 0.0;
+  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
+    const Vec3 a = toVec3(surface.points[i]), b = toVec3(surface.points[i + 1]), c = toVec3(surface.points[i + 2]);
+    const Vec3 normal = (b - a).cross(c - a);
+    EXPECT_LT(normal.z(), 0.0);  // towards the sensor, where the light is
+    area += 0.5 * normal.norm();
+  }
+  EXPECT_NEAR(area, 0.25, 1e-6);
+  const Marker outline = markerOf(array, "plane_outline");
+  EXPECT_EQ(outline.type, Marker::LINE_STRIP);
+  ASSERT_EQ(outline.points.size(), 5u);
+  EXPECT_TRUE(toVec3(outline.points.front()).isApprox(toVec3(outline.points.back())));
+}
+
+TEST(Markers, DrawTheConeAsAFrustumOnItsSurface) {
+  MarkerWriter writer;
+  const Detection detection = frustum();
+  const auto array = writer.update(messageOf({detection}), MarkerStyle());
+  const Marker surface = markerOf(array, "cone");
+  ASSERT_EQ(surface.type, Marker::TRIANGLE_LIST);
+  ASSERT_EQ(surface.points.size() % 3, 0u);
+  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
+    const Vec3 a = toVec3(surface.points[i]), b = toVec3(surface.points[i + 1]), c = toVec3(surface.points[i + 2]);
+    for (const Vec3& p : {a, b, c}) EXPECT_NEAR(distance(detection.shape, p), 0.0, 1e-6);
+    EXPECT_GT((b - a).cross(c - a).dot(normalAt(detection.shape, (a + b + c) / 3.0)), 0.0);  // seen from outside
+  }
+}
+
+TEST(Markers, DeleteWhatVanished) {
+  MarkerWriter writer;
+  writer.update(messageOf({sphereAt(0.0), sphereAt(0.5)}), MarkerStyle());
+  const auto array = writer.update(messageOf({sphereAt(0.0)}), MarkerStyle());
+  std::vector<std::pair<std::string, int>> deleted;
+  for (const Marker& marker : withAction(array, Marker::DELETE)) deleted.emplace_back(marker.ns, marker.id);
+  EXPECT_EQ(deleted, (std::vector<std::pair<std::string, int>>{{"sphere", 1}, {"sphere_text", 1}}));
+  EXPECT_TRUE(withAction(writer.update(messageOf({sphereAt(0.0)}), MarkerStyle()), Marker::DELETE).empty());
+}
+
+TEST(Markers, DeleteEverythingOnceAtTheStartAndWhenStartedAnew) {
+  MarkerWriter writer;
+  const PrimitiveArray message = messageOf({sphereAt(0.0)});
+  EXPECT_EQ(writer.update(message, MarkerStyle()).markers.front().action, Marker::DELETEALL);
+  EXPECT_TRUE(withAction(writer.update(message, MarkerStyle()), Marker::DELETEALL).empty());
+  writer.startAnew();
+  EXPECT_EQ(writer.update(message, MarkerStyle()).markers.front().action, Marker::DELETEALL);
+}
+
+TEST(Markers, UseTheTracksNumberWhereThereIsOne) {
+  Detection tracked = sphereAt(0.0);
+  tracked.track_id = 42;
+  MarkerWriter writer;
+  EXPECT_EQ(markerOf(writer.update(messageOf({tracked}), MarkerStyle()), "sphere").id, 42);
+}
+
+TEST(Markers, LeaveOutSurfacesWithoutAnExtent) {
+  Detection flat = cylinderUpright();
+  flat.extent.size.z() = 0.0;
+  MarkerWriter writer;
+  for (const Marker& marker : withAction(writer.update(messageOf({flat}), MarkerStyle()), Marker::ADD)) {
+    EXPECT_EQ(marker.ns, "cylinder_text");
+  }
+}
+
+}  // namespace
+}  // namespace primitect
