@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Looks at the head of a point file before a library reads it: PCL believes sizes that a broken file claims.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace primitect::io {
+
+/// One line: "path: cause".
+class FileError : public std::runtime_error {
+ public:
+  FileError(const std::string& path, const std::string& cause) : std::runtime_error(path + ": " + cause) {}
+};
+
+/// The first bytes of a file and its size.
+struct FileHead {
+  std::string bytes;
+  std::uint64_t file_size = 0;
+};
+
+/// Throws FileError when there is no such file, when it is not a regular file, cannot be read or is empty.
+FileHead readFileHead(const std::string& path);
+
+/// The number of points that a PCD claims. Throws FileError when its header is incomplete, contradicts itself or claims
+/// more than the file holds.
+std::uint64_t checkPcdHead(const std::string& path, const FileHead& head);
+
+/// The same for a PLY. Also refuses what PCL's reader gets wrong or crashes on: properties named twice, colours that
+/// are not consecutive, a range grid that is not num_cols * num_rows.
+std::uint64_t checkPlyHead(const std::string& path, const FileHead& head);
+
+/// Lines of numbers that a text body must have; 0: any.
+struct TextTable {
+  std::uint64_t lines = 0;
+  std::uint64_t words_per_line = 0;
+};
+
+/// Throws FileError naming the first word of a text body that is no number, or the line that is too short or too long.
+/// PCL takes such a word for 0 or skips the line.
+void checkAsciiBody(const std::string& path, std::uint64_t begin, const TextTable& table);
+
+/// Throws FileError when the file is not a 16-bit, one-channel PNG of a size that the file can hold.
+void checkDepthPngHead(const std::string& path, const FileHead& head);
+
+}  // namespace primitect::io

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Label clouds through PCL's PLY writer.
+#include "io/label_file.h"
+
+#include <pcl/conversions.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/point_types.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "io/kind_color.h"
+
+namespace primitect::io {
+namespace {
+
+pcl::PointXYZRGBL labelledPoint(const Cloud& cloud, std::size_t i, const Detections& detections, std::uint32_t label) {
+  pcl::PointXYZRGBL point;
+  point.x = cloud.x[i];
+  point.y = cloud.y[i];
+  point.z = cloud.z[i];
+  point.label = label;
+  const bool known = label > 0 && label <= detections.items.size();
+  const Rgb color = known ? kindColor(kindOf(detections.items[label - 1].shape)) : kUnlabelledColor;
+  point.r = color.red;
+  point.g = color.green;
+  point.b = color.blue;
+  return point;
+}
+
+/// Organized clouds with their missing points, others without.
+pcl::PointCloud<pcl::PointXYZRGBL> labelledCloud(const Cloud& cloud, const Detections& detections,
+                                                 const std::vector<std::uint32_t>& labels) {
+  pcl::PointCloud<pcl::PointXYZRGBL> points;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.organized() || cloud.valid(i)) points.push_back(labelledPoint(cloud, i, detections, labels.at(i)));
+  }
+  points.is_dense = cloud.valid_count == points.size();
+  if (cloud.organized()) {
+    points.width = cloud.width;
+    points.height = cloud.height;
+  }
+  return points;
+}
+
+}  // namespace
+
+void writeLabels(const std::string& path, const Cloud& cloud, const Detections& detections,
+                 const std::vector<std::uint32_t>& labels) {
+  pcl::PCLPointCloud2 message;
+  pcl::toPCLPointCloud2(labelledCloud(cloud, detections, labels), message);
+  // PCL calls the colour "rgba" and would write an alpha that means nothing here.
+  for (pcl::PCLPointField& field : message.fields) {
+    if (field.name == "rgba") {
+      field.name = "rgb";
+      field.datatype = pcl::PCLPointField::FLOAT32;
+    }
+  }
+  if (!std::ofstream(path)) throw std::runtime_error(path + ": cannot be written");
+  // No camera element: with it, missing points would become vertices.
+  if (pcl::PLYWriter().writeBinary(path, message, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), false) < 0) {
+    throw std::runtime_error(path + ": cannot be written");
+  }
+}
+
+}  // namespace primitect::io

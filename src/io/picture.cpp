@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Layers of a picture: points, outlines, names, caption.
+#include "io/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "io/name_tags.h"
+#include "io/outlines.h"
+#include "io/shape_text.h"
+
+namespace primitect::io {
+namespace {
+
+constexpr int kPictureWidth = 1280, kPictureHeight = 960;  // px; small images are scaled up to about that
+
+void drawLines(cv::Mat& picture, const std::vector<Line2>& lines, const cv::Scalar& color) {
+  constexpr int kShift = 4;  // sixteenths of a pixel
+  const int width = std::max(1, picture.cols / 420);
+  for (const int pass : {0, 1}) {
+    for (const Line2& line : lines) {
+      std::vector<cv::Point> corners;
+      for (const Eigen::Vector2d& corner : line) {
+        const Eigen::Vector2d held = corner.cwiseMax(-1e6).cwiseMin(1e6) * (1 << kShift);
+        corners.emplace_back(static_cast<int>(std::lround(held.x())), static_cast<int>(std::lround(held.y())));
+      }
+      // A dark rim keeps the line visible on its own tint.
+      cv::polylines(picture, corners, false, pass == 0 ? cv::Scalar::all(20) : color, pass == 0 ? width + 3 : width,
+                    cv::LINE_AA, kShift);
+    }
+  }
+}
+
+constexpr int kCell = 8;  // px; places of names are sought on a coarse grid
+
+/// Which detection + 1 the points in each cell belong to; 0 = none.
+cv::Mat labelCells(const LabelledPoints& points, const View& view) {
+  cv::Mat cells(view.height / kCell + 1, view.width / kCell + 1, CV_32SC1, cv::Scalar(0));
+  for (std::size_t i = 0; i < points.cloud.size() && i < points.labels.size(); ++i) {
+    if (points.labels[i] == 0 || !points.cloud.valid(i)) continue;
+    const auto pixel = view.project({points.cloud.x[i], points.cloud.y[i], points.cloud.z[i]});
+    const bool inside = pixel && pixel->minCoeff() >= 0.0 && pixel->x() < view.width && pixel->y() < view.height;
+    if (!inside) continue;
+    int& cell = cells.at<int>(static_cast<int>(pixel->y()) / kCell, static_cast<int>(pixel->x()) / kCell);
+    // Curved shapes stand in front of planes.
+    const bool plane = kindOf(points.detections.items.at(points.labels[i] - 1).shape) == Kind::plane;
+    if (cell == 0 || !plane) cell = static_cast<int>(points.labels[i]);
+  }
+  return cells;
+}
+
+/// Where the name of a detection points to: the middle of the largest free disc of its points in the picture, else the
+/// origin of its extent.
+std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const View& view) {
+  const cv::Mat cells = labelCells(points, view);
+  std::vector<cv::Point> anchors;
+  for (std::size_t i = 0; i < points.detections.items.size(); ++i) {
+    cv::Mat own, room;
+    cv::copyMakeBorder(cells == static_cast<int>(i + 1), own, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::distanceTransform(own, room, cv::DIST_L2, cv::DIST_MASK_5);
+    double most = 0.0;
+    cv::Point cell;
+    cv::minMaxLoc(room, nullptr, &most, nullptr, &cell);
+    Eigen::Vector2d place(kCell * (cell.x - 0.5), kCell * (cell.y - 0.5));
+    if (most == 0.0) {
+      place = view.project(points.detections.items[i].extent.origin).value_or(Eigen::Vector2d::Zero());
+    }
+    anchors.emplace_back(static_cast<int>(std::clamp(place.x(), 0.0, view.width - 1.0)),
+                         static_cast<int>(std::clamp(place.y(), 0.0, view.height - 1.0)));
+  }
+  return anchors;
+}
+
+/// Small things first, planes last: what comes first is named nearest to its place.
+std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
+  const std::vector<cv::Point> anchors = anchorsOf(points, view);
+  std::vector<NameTag> tags;
+  for (const bool planes : {false, true}) {
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+      const Detection& detection = points.detections.items[i];
+      const Kind kind = kindOf(detection.shape);
+      if ((kind == Kind::plane) == planes) tags.push_back({nameText(detection), anchors[i], bgr(kind)});
+    }
+  }
+  return tags;
+}
+
+std::string countText(int count, Kind kind) {
+  return std::to_string(count) + " " + kindName(kind) + (count == 1 ? "" : "s");
+}
+
+bool farther(const LabelledPoints& points) {
+  const std::vector<float>& z = points.cloud.z;
+  return points.used.max > 0.0f &&
+         std::any_of(z.begin(), z.end(), [&](float depth) { return depth > points.used.max; });
+}
+
+/// Counts of each kind in its colour, then what the shades mean.
+cv::Mat drawCaption(const LabelledPoints& points, const std::string& title, int width) {
+  const double scale = textScale(width);
+  const int line = static_cast<int>(42 * scale);
+  cv::Mat caption(2 * line + line / 2, width, CV_8UC3, cv::Scalar::all(30));
+  const auto write = [&](const std::string& text, int x, int row, const cv::Scalar& color) {
+    cv::putText(caption, text, {x, row * line}, cv::FONT_HERSHEY_SIMPLEX, scale, color, 1, cv::LINE_AA);
+    return x + cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, nullptr).width + line / 2;
+  };
+  std::array<int, kKindCount> counts = {};
+  for (const Detection& detection : points.detections.items) ++counts[detection.shape.index()];
+  int x = write(title, line / 2, 1, cv::Scalar::all(255));
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const Kind kind = static_cast<Kind>(k);
+    cv::rectangle(caption, cv::Rect(x, line / 3, 3 * line / 4, 3 * line / 4), bgr(kind), cv::FILLED);
+    x = write(countText(counts[k], kind), x + line, 1, cv::Scalar::all(counts[k] > 0 ? 255 : 150));
+  }
+  std::string second = points.detections.items.empty() ? "Nothing found: " + reasonText(points.detections)
+                                                       : "Tinted points belong to the outlined shape.";
+  if (farther(points)) second += " Dark: farther than " + lengthText(points.used.max) + ", not used.";
+  write(second + (points.cloud.organized() ? " Black: not measured." : ""), line / 2, 2, cv::Scalar::all(190));
+  return caption;
+}
+
+}  // namespace
+
+cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics>& lens, const std::string& title) {
+  const Cloud& cloud = points.cloud;
+  const std::optional<Intrinsics> camera = lens && cloud.organized() ? lens : estimateIntrinsics(cloud);
+  View view;
+  cv::Mat picture;
+  if (camera) {
+    const int scale = std::max(1, static_cast<int>(std::lround(static_cast<double>(kPictureWidth) / cloud.width)));
+    view = cameraView(*camera, cloud.width, cloud.height, scale);
+    picture = drawImage(points, scale);
+  } else {
+    view = orthographicView(cloud, kPictureWidth, kPictureHeight);
+    picture = drawDots(points, view);
+  }
+  for (const Detection& detection : points.detections.items) {
+    drawLines(picture, projectLines(outlineOf(detection, view), view), bgr(kindOf(detection.shape)));
+  }
+  drawTags(picture, tagsOf(points, view));
+  cv::vconcat(picture, drawCaption(points, title, picture.cols), picture);
+  return picture;
+}
+
+void writePicture(const std::string& path, const cv::Mat& picture) {
+  bool written = false;
+  try {
+    written = cv::imwrite(path, picture);
+  } catch (const cv::Exception&) {
+    written = false;  // an extension that OpenCV does not know
+  }
+  if (!written) throw std::runtime_error(path + ": cannot be written as a picture");
+}
+
+}  // namespace primitect::io

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Detections to JSON; the keys keep their order.
+#include "io/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace primitect::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vectorJson(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json knownOrNull(float value) { return value == kUnknown ? Json(nullptr) : Json(value); }
+
+void addShape(Json& json, const Plane& plane) {
+  json["point"] = vectorJson(plane.point);
+  json["normal"] = vectorJson(plane.normal);
+}
+
+void addShape(Json& json, const Sphere& sphere) {
+  json["center"] = vectorJson(sphere.center);
+  json["radius"] = sphere.radius;
+}
+
+void addShape(Json& json, const Cylinder& cylinder) {
+  json["point"] = vectorJson(cylinder.point);
+  json["axis"] = vectorJson(cylinder.axis);
+  json["radius"] = cylinder.radius;
+}
+
+void addShape(Json& json, const Cone& cone) {
+  json["apex"] = vectorJson(cone.apex);
+  json["axis"] = vectorJson(cone.axis);
+  json["half_angle"] = cone.half_angle;
+}
+
+/// The keys that mean something for the kind.
+Json extentJson(const Detection& detection) {
+  const Extent& extent = detection.extent;
+  const Kind kind = kindOf(detection.shape);
+  Json json;
+  json["origin"] = vectorJson(extent.origin);
+  if (kind == Kind::sphere) return json;
+  json["x_axis"] = vectorJson(extent.rotation.col(0));
+  json["z_axis"] = vectorJson(extent.rotation.col(2));
+  if (kind == Kind::plane) {
+    json["size"] = Json::array({extent.size.x(), extent.size.y()});
+    json["hull"] = Json::array();
+    for (const Vec3& corner : extent.hull) json["hull"].push_back(vectorJson(corner));
+    return json;
+  }
+  json["length"] = extent.size.z();
+  if (kind == Kind::cone) {
+    json["radius_large"] = extent.radius;
+    json["radius_small"] = extent.radius_small;
+  }
+  return json;
+}
+
+Json truncatedJson(std::uint8_t truncated) {
+  if (truncated & kTruncationUnknown) return nullptr;
+  Json json = Json::array();
+  if (truncated & kTruncatedByImage) json.push_back("image");
+  if (truncated & kTruncatedByDepth) json.push_back("depth");
+  if (truncated & kTruncatedByOcclusion) json.push_back("occlusion");
+  return json;
+}
+
+Json primitiveJson(const Detection& detection) {
+  Json json;
+  json["type"] = kindName(kindOf(detection.shape));
+  std::visit([&json](const auto& shape) { addShape(json, shape); }, detection.shape);
+  json["inliers"] = detection.inlier_count;
+  json["votes"] = detection.votes;
+  json["rms_error"] = knownOrNull(detection.rms_error);
+  json["confidence"] = knownOrNull(detection.confidence);
+  json["coverage"] = knownOrNull(detection.coverage);
+  json["radius_stddev"] = knownOrNull(detection.radius_stddev);
+  json["half_angle_stddev"] = knownOrNull(detection.half_angle_stddev);
+  json["covariance"] = detection.covariance[0] == -1.0 ? Json(nullptr) : Json(detection.covariance);
+  json["concave"] = detection.concave;
+  json["truncated"] = truncatedJson(detection.truncated);
+  json["extent"] = extentJson(detection);
+  return json;
+}
+
+Json timingJson(const Timing& timing) {
+  Json json = Json::object();
+  for (const auto& [stage, milliseconds] : timing) json[stage] = milliseconds;
+  return json;
+}
+
+Json fileJson(const FileReport& report) {
+  Json json;
+  json["file"] = report.file;
+  if (!report.error.empty()) {
+    json["error"] = report.error;
+    json["primitives"] = Json::array();
+    return json;
+  }
+  const Detections& found = report.detections;
+  json["status"] = statusName(found.status);
+  json["points_in"] = found.points_in;
+  json["points_used"] = found.points_used;
+  json["samples"] = found.samples;
+  json["scene_diameter"] = found.scene_diameter;
+  json["primitives"] = Json::array();
+  for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));
+  json["timing_ms"] = timingJson(report.timing_ms);
+  if (report.repeats > 1) {
+    json["repeats"] = report.repeats;
+    json["timing_min_ms"] = timingJson(report.min_ms);
+    json["timing_max_ms"] = timingJson(report.max_ms);
+  }
+  return json;
+}
+
+bool allNumbers(const Json& list) {
+  return std::all_of(list.begin(), list.end(), [](const Json& item) { return item.is_number(); });
+}
+
+/// One line a key, vectors on one line: a person can read it, too.
+std::string dump(const Json& json, const std::string& indent = "") {
+  const bool open_up = (json.is_object() || (json.is_array() && !allNumbers(json))) && !json.empty();
+  // File names need not be UTF-8: bytes that are not become a replacement character instead of an exception.
+  if (!open_up) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string deeper = indent + "  ";
+  std::string text = json.is_object() ? "{" : "[";
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    text += (item == json.begin() ? "\n" : ",\n") + deeper;
+    if (json.is_object()) text += Json(item.key()).dump() + ": ";
+    text += dump(*item, deeper);
+  }
+  return text + "\n" + indent + (json.is_object() ? "}" : "]");
+}
+
+}  // namespace
+
+std::string reportJson(const FileReport& report) { return dump(fileJson(report)) + "\n"; }
+
+std::string reportsJson(const std::vector<FileReport>& reports) {
+  Json json = Json::array();
+  for (const FileReport& report : reports) json.push_back(fileJson(report));
+  return dump(json) + "\n";
+}
+
+}  // namespace primitect::io

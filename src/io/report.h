@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What was found, as JSON for programs.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "primitect/primitives.h"
+
+namespace primitect::io {
+
+/// Name and milliseconds, in the order of the pipeline.
+using Timing = std::vector<std::pair<std::string, double>>;
+
+/// All that the report of one file says.
+struct FileReport {
+  std::string file;
+  std::string error;  ///< not empty: the file could not be read, nothing else holds
+  Detections detections;
+  Timing timing_ms;  ///< with several runs: the medians
+  int repeats = 1;
+  Timing min_ms, max_ms;  ///< with several runs only
+};
+
+/// One JSON object, ends with a newline:
+/// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "primitives": [...], "timing_ms":
+/// {...}}. Metres, radians. What no stage has filled is null. A file that could not be read: {"file", "error",
+/// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".
+std::string reportJson(const FileReport& report);
+
+/// A JSON array of such objects, in the order of the files.
+std::string reportsJson(const std::vector<FileReport>& reports);
+
+}  // namespace primitect::io

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Sizes in words.
+#include "io/shape_text.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace primitect::io {
+namespace {
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), pattern, value);
+  return text;
+}
+
+/// Two lengths in the unit that suits the larger.
+std::string areaText(double a, double b) {
+  const double longer = std::max(a, b), shorter = std::min(a, b);
+  if (longer >= 1.0) return format("%.2f", longer) + " x " + format("%.2f m", shorter);
+  return format("%.0f", 1000.0 * longer) + " x " + format("%.0f mm", 1000.0 * shorter);
+}
+
+std::string shapeSize(const Plane&, const Extent& extent) {
+  const bool known = extent.size.x() > 0.0 && extent.size.y() > 0.0;
+  return known ? areaText(extent.size.x(), extent.size.y()) : "";
+}
+
+std::string shapeSize(const Sphere& sphere, const Extent&) { return "r " + lengthText(sphere.radius); }
+
+std::string shapeSize(const Cylinder& cylinder, const Extent&) { return "r " + lengthText(cylinder.radius); }
+
+std::string shapeSize(const Cone& cone, const Extent&) {
+  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+  return "half angle " + format("%.1f deg", cone.half_angle * kDegrees);
+}
+
+}  // namespace
+
+std::string lengthText(double metres) {
+  if (metres >= 1.0) return format("%.2f m", metres);
+  return format(metres < 0.00995 ? "%.1f mm" : "%.0f mm", 1000.0 * metres);
+}
+
+std::string sizeText(const Detection& detection) {
+  return std::visit([&](const auto& shape) { return shapeSize(shape, detection.extent); }, detection.shape);
+}
+
+std::string nameText(const Detection& detection) {
+  const std::string size = sizeText(detection);
+  const std::string kind = kindName(kindOf(detection.shape));
+  return size.empty() ? kind : kind + " " + size;
+}
+
+std::string reasonText(const Detections& detections) {
+  switch (detections.status) {
+    case Status::ok:
+      return detections.items.empty() ? "no shape got enough votes and inliers (min_votes, min_inliers)" : "";
+    case Status::empty_input:
+      return "of " + std::to_string(detections.points_in) +
+             " points none is measured and within the depth range (min_depth, max_depth)";
+    case Status::too_few_points:
+      return "too few points: only " + std::to_string(detections.points_used) + " of " +
+             std::to_string(detections.points_in) + " are measured and within the depth range";
+    case Status::rejected_input:
+      return "the input was rejected";
+    case Status::no_transform:
+      return "no transform to the target frame";
+  }
+  return "";
+}
+
+}  // namespace primitect::io

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What a detection is called where people read it: pictures, tables, markers.
+#pragma once
+
+#include <string>
+
+#include "primitect/primitives.h"
+
+namespace primitect::io {
+
+/// "39 mm", below 10 mm "4.3 mm", from 1 m on "1.71 m".
+std::string lengthText(double metres);
+
+/// "610 x 420 mm", "r 203 mm", "r 39 mm", "half angle 12.3 deg"; a plane of unknown extent has no size: "".
+std::string sizeText(const Detection& detection);
+
+/// Kind and size: "cylinder r 39 mm".
+std::string nameText(const Detection& detection);
+
+/// Why there is nothing to see: one line for a person, for any status.
+std::string reasonText(const Detections& detections);
+
+}  // namespace primitect::io

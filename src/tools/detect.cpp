@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// detect FILE...: finds primitives in point files; see --help.
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "io/label_file.h"
+#include "io/picture.h"
+#include "io/report.h"
+#include "tools/detect_options.h"
+#include "tools/output_target.h"
+#include "tools/result_text.h"
+#include "tools/stage_timing.h"
+
+namespace {
+
+namespace io = primitect::io;
+namespace tools = primitect::tools;
+
+enum ExitCode : int { kOk = 0, kBadFile = 1, kBadUsage = 2 };
+
+struct Targets {
+  tools::OutputTarget json, labels, picture;
+
+  explicit Targets(const tools::DetectOptions& options)
+      : json("--json", options.json, ".json", options.files, true),
+        labels("--labels", options.labels, ".ply", options.files, false),
+        picture("--picture", options.picture, ".png", options.files, false) {}
+};
+
+/// A file's points as they are, and as the detector gets them.
+struct Input {
+  io::PointFile file;
+  primitect::Params params;
+  primitect::DepthRange range;
+  primitect::Cloud cloud;
+};
+
+Input readInput(const tools::DetectOptions& options, const std::string& path) {
+  Input input;
+  input.file = io::readPointFile(path, options.depth_image);
+  const primitect::Cloud& points = input.file.cloud;
+  input.params = options.params.paramsFor(points.organized() || input.file.intrinsics, points.hasNormals());
+  input.range = {static_cast<float>(input.params.min_depth), static_cast<float>(input.params.max_depth)};
+  io::cutAtDepth(points, input.range, input.cloud);
+  return input;
+}
+
+void runDetector(primitect::Detector& detector, const Input& input, int repeats, io::FileReport& report) {
+  std::vector<io::Timing> runs;
+  for (int i = 0; i < repeats; ++i) {
+    const tools::TimedRun run = tools::timeDetection(detector, input.cloud);
+    runs.push_back(run.timing_ms);
+    if (i + 1 == repeats) report.detections = run.found;
+  }
+  const tools::TimingSummary summary = tools::summarize(runs);
+  report.timing_ms.insert(report.timing_ms.end(), summary.median_ms.begin(), summary.median_ms.end());
+  report.repeats = repeats;
+  report.min_ms = summary.min_ms;
+  report.max_ms = summary.max_ms;
+}
+
+void writePointOutputs(const Targets& targets, std::size_t index, const primitect::Detector& detector,
+                       const Input& input, const io::FileReport& report) {
+  if (!targets.labels.wanted() && !targets.picture.wanted()) return;
+  std::vector<std::uint32_t> labels;
+  detector.label(input.cloud, labels);
+  const primitect::Cloud& whole = input.file.cloud;
+  if (targets.labels.wanted()) io::writeLabels(targets.labels.path(index), whole, report.detections, labels);
+  if (!targets.picture.wanted()) return;
+  const std::string title = std::filesystem::path(report.file).filename().string();
+  const io::LabelledPoints points{whole, input.range, labels, report.detections};
+  io::writePicture(targets.picture.path(index), io::drawPicture(points, input.file.intrinsics, title));
+}
+
+std::string sizeText(const primitect::Cloud& cloud) {
+  if (cloud.organized()) return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " image";
+  return std::to_string(cloud.size()) + " points";
+}
+
+io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index) {
+  io::FileReport report;
+  report.file = options.files[index];
+  tools::Stopwatch reading;
+  const Input input = readInput(options, report.file);
+  report.timing_ms.emplace_back("read", reading.lapMs());
+  primitect::Detector detector(input.params);
+  runDetector(detector, input, options.repeats, report);
+  writePointOutputs(targets, index, detector, input, report);
+  if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
+  if (!targets.json.toStdout()) std::cout << tools::resultText(report, sizeText(input.file.cloud)) << std::flush;
+  return report;
+}
+
+void writeJson(const Targets& targets, const std::vector<io::FileReport>& reports) {
+  if (!targets.json.wanted() || targets.json.perInput()) return;
+  if (reports.size() == 1 && !reports[0].error.empty()) return;
+  const std::string text = reports.size() == 1 ? io::reportJson(reports[0]) : io::reportsJson(reports);
+  if (targets.json.toStdout()) {
+    std::cout << text << std::flush;
+  } else {
+    tools::writeTextFile(targets.json.path(0), text);
+  }
+}
+
+io::FileReport failure(const std::string& file, const std::string& cause) {
+  std::cerr << "detect: " << cause << "\n";
+  io::FileReport report;
+  report.file = file;
+  report.error = cause;
+  return report;
+}
+
+int run(const tools::DetectOptions& options) {
+  const Targets targets(options);
+  int exit_code = kOk;
+  std::vector<io::FileReport> reports;
+  for (std::size_t i = 0; i < options.files.size(); ++i) {
+    try {
+      reports.push_back(processFile(options, targets, i));
+    } catch (const std::invalid_argument&) {
+      throw;  // parameters that contradict each other
+    } catch (const std::runtime_error& error) {
+      reports.push_back(failure(options.files[i], error.what()));
+    } catch (const std::exception& error) {
+      reports.push_back(failure(options.files[i], options.files[i] + ": " + error.what()));
+    }
+    if (!reports.back().error.empty()) exit_code = kBadFile;
+  }
+  writeJson(targets, reports);
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const auto options = tools::parseDetectOptions(argc, argv);
+    return options ? run(*options) : kOk;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "detect: " << error.what() << "\n";
+    return kBadUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "detect: " << error.what() << "\n";
+    return kBadFile;
+  }
+}

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Options of `detect`; those of the parameters come from their table.
+#include "tools/detect_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+
+namespace primitect::tools {
+namespace {
+
+constexpr const char* kDescription =
+    "Finds planes, spheres, cylinders and cones in point files (PCD, PLY) and 16-bit depth images (PNG).\n"
+    "Organized clouds and depth images are cut at min_depth and max_depth; other clouds are not, and the normals that\n"
+    "such a file brings are kept as they are, unless --params or an option says otherwise.";
+
+constexpr const char* kFooter =
+    "\nParameters: the preset, then the --params file, then the options; --preset replaces the preset of the file.\n"
+    "Results: one FILE gives a JSON object, several an array of them in the same order. A directory (one that exists, "
+    "or\n"
+    "a name ending in '/') gets <name of FILE>.json, .ply or .png for each FILE. Metres, radians, times in ms; "
+    "\"total\" is\n"
+    "from points to primitives, \"read\" apart from it; with --repeat the times are medians.\n"
+    "Exit code: 0 all files were read (also when nothing was found), 1 a file could not be read or written (one line "
+    "each\n"
+    "on stderr), 2 the command line or a parameter is wrong.";
+
+/// Raw texts, checked after parsing so that the messages name parameter, value and range.
+struct RawOptions {
+  std::string intrinsics, depth_scale, preset, params, repeats;
+  std::map<std::string, std::string> values;
+  bool print_params = false;
+};
+
+std::string presetList() {
+  std::string list;
+  for (const std::string& name : presetNames()) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
+  app.add_option("FILE", options.files, "point files or depth images")->type_name("");
+  app.add_option("--json", options.json, "write what was found as JSON; - is standard output")->type_name("FILE|DIR|-");
+  app.add_option("--labels", options.labels, "write the points with colour and label of their shape as PLY")
+      ->type_name("FILE|DIR");
+  app.add_option("--picture", options.picture, "write a picture with outlines and names as PNG")->type_name("FILE|DIR");
+  app.add_option("--intrinsics", raw.intrinsics, "of depth images, in pixels")->type_name("fx,fy,cx,cy");
+  app.add_option("--depth-scale", raw.depth_scale, "metres per unit of depth images (0.001)")->type_name("M");
+  app.add_option("--preset", raw.preset, "parameters to start from: " + presetList())->type_name("NAME");
+  app.add_option("--params", raw.params, "YAML file with a preset and parameters")->type_name("YAML");
+  app.add_option("--repeat", raw.repeats, "detect N times in the same points: min, median, max of every stage")
+      ->type_name("N");
+  app.add_flag("--print-params", raw.print_params, "print all parameters as a YAML file and end");
+}
+
+void addParamOptions(CLI::App& app, RawOptions& raw) {
+  const Params defaults = presetParams("default");
+  for (const ParamInfo& info : paramTable()) {
+    if (info.group == "node") continue;
+    app.add_option("--" + info.name, raw.values[info.name],
+                   valueText(getParam(defaults, info.name)) + " (" + rangeText(info) + ")\n" + info.meaning)
+        ->type_name(" ")
+        ->group("Parameters: " + info.group);
+  }
+}
+
+double positiveNumber(const std::string& name, const std::string& text, const std::string& unit) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value) || value <= 0.0) {
+    throw std::invalid_argument(name + ": '" + text + "', allowed: a number above 0" + unit);
+  }
+  return value;
+}
+
+int repeatCount(const std::string& text) {
+  constexpr int kMax = 1000000;
+  const double value = positiveNumber("--repeat", text, "");
+  if (value != std::floor(value) || value > kMax) {
+    throw std::invalid_argument("--repeat: '" + text + "', allowed: a whole number from 1 to " + std::to_string(kMax));
+  }
+  return static_cast<int>(value);
+}
+
+void takeParams(const CLI::App& app, const RawOptions& raw, ParamLayers& params) {
+  if (app.count("--params")) params.addFile(raw.params);
+  if (app.count("--preset")) params.setPreset(raw.preset);
+  for (const auto& [name, text] : raw.values) {
+    if (app.count("--" + name)) params.addText(name, text);
+  }
+}
+
+void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& options) {
+  if (app.count("--intrinsics")) options.depth_image.intrinsics = io::parseIntrinsics(raw.intrinsics);
+  if (app.count("--depth-scale")) {
+    options.depth_image.depth_scale = positiveNumber("--depth-scale", raw.depth_scale, " m per unit");
+  }
+  if (app.count("--repeat")) options.repeats = repeatCount(raw.repeats);
+  for (const char* output : {"--json", "--labels", "--picture"}) {
+    if (app.count(output) && app.get_option(output)->as<std::string>().empty()) {
+      throw std::invalid_argument(std::string(output) + ": empty, expected a file or directory");
+    }
+  }
+  if (options.labels == "-" || options.picture == "-") {
+    throw std::invalid_argument("--labels and --picture write to a file or directory, not to '-'");
+  }
+}
+
+void checkFiles(const DetectOptions& options) {
+  if (options.files.empty()) throw std::invalid_argument("no FILE given (see --help)");
+  for (const std::string& file : options.files) {
+    if (io::isDepthImage(file) && !options.depth_image.intrinsics) {
+      throw std::invalid_argument(file + ": a depth image needs --intrinsics fx,fy,cx,cy");
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
+  DetectOptions options;
+  RawOptions raw;
+  CLI::App app(kDescription, "detect");
+  app.footer(kFooter);
+  app.get_formatter()->column_width(30);
+  app.set_version_flag("--version", std::string("detect (primitect) ") + PRIMITECT_VERSION);
+  addMainOptions(app, options, raw);
+  addParamOptions(app, raw);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw std::invalid_argument(std::string(error.what()) + " (see --help)");
+    app.exit(error);
+    return std::nullopt;
+  }
+  takeParams(app, raw, options.params);
+  takeMainOptions(app, raw, options);
+  if (raw.print_params) {
+    std::cout << options.params.asYaml();
+    return std::nullopt;
+  }
+  checkFiles(options);
+  return options;
+}
+
+}  // namespace primitect::tools

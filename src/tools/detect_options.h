@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of `detect`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/point_files.h"
+#include "tools/param_layers.h"
+
+namespace primitect::tools {
+
+struct DetectOptions {
+  std::vector<std::string> files;
+  std::string json, labels, picture;  ///< file or directory; empty: not wanted
+  io::DepthImageOptions depth_image;
+  ParamLayers params;
+  int repeats = 1;
+};
+
+/// Nothing when all is said (--help, --version, --print-params).
+/// Throws std::invalid_argument, one line, for whatever is wrong on the command line.
+std::optional<DetectOptions> parseDetectOptions(int argc, char** argv);
+
+}  // namespace primitect::tools

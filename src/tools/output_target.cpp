@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Files and directories for results.
+#include "tools/output_target.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+namespace primitect::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+void refuseOverwriting(const std::string& option, const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (fs::equivalent(output, input, error)) {
+      throw std::invalid_argument(option + ": " + output + " would overwrite the input");
+    }
+  }
+}
+
+/// <directory>/<stem><extension> of each input.
+std::vector<std::string> pathsInside(const std::string& option, const fs::path& directory, const std::string& extension,
+                                     const std::vector<std::string>& inputs) {
+  std::vector<std::string> paths;
+  std::map<std::string, std::string> input_of;
+  for (const std::string& input : inputs) {
+    paths.push_back((directory / (fs::path(input).stem().string() + extension)).string());
+    const auto [other, added] = input_of.emplace(paths.back(), input);
+    if (!added) {
+      throw std::invalid_argument(option + ": " + other->second + " and " + input + " would both be written to " +
+                                  paths.back());
+    }
+    refuseOverwriting(option, paths.back(), inputs);
+  }
+  return paths;
+}
+
+}  // namespace
+
+OutputTarget::OutputTarget(const std::string& option, const std::string& value, const std::string& extension,
+                           const std::vector<std::string>& inputs, bool shared)
+    : value_(value) {
+  if (value.empty() || (shared && value == "-")) return;
+  if (value.back() == '/' || fs::is_directory(value)) {
+    paths_ = pathsInside(option, value, extension, inputs);
+    std::error_code error;
+    fs::create_directories(value, error);
+    if (error) throw std::invalid_argument(option + ": cannot make directory " + value + ": " + error.message());
+    return;
+  }
+  if (!shared && inputs.size() > 1) {
+    throw std::invalid_argument(option + ": several files need a directory, '" + value + "' is none (append '/')");
+  }
+  refuseOverwriting(option, value, inputs);
+}
+
+void writeTextFile(const std::string& path, const std::string& text) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(path + ": cannot be written");
+}
+
+}  // namespace primitect::tools

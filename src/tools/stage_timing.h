@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How long the stages of a detector take, measured from outside by the steady clock.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "io/report.h"
+#include "primitect/detector.h"
+
+namespace primitect::tools {
+
+/// Milliseconds between calls.
+class Stopwatch {
+ public:
+  double lapMs() {
+    const auto now = std::chrono::steady_clock::now();
+    const double lap = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return lap;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// One run and its times: the stages in their order, then "total".
+struct TimedRun {
+  io::Timing timing_ms;
+  const Detections& found;  ///< valid until the detector's next run
+};
+
+TimedRun timeDetection(Detector& detector, const Cloud& cloud);
+
+/// Minimum, median and maximum of each stage over several runs.
+struct TimingSummary {
+  io::Timing min_ms, median_ms, max_ms;
+};
+
+/// All runs have the same stages; at least one run.
+TimingSummary summarize(const std::vector<io::Timing>& runs);
+
+}  // namespace primitect::tools

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Detections in numbers for programs and in words for people.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/report.h"
+#include "io/shape_text.h"
+
+namespace primitect::io {
+namespace {
+
+using Json = nlohmann::json;
+
+Detection detectionOf(const Shape& shape) {
+  Detection detection;
+  detection.shape = shape;
+  detection.inlier_count = 42;
+  detection.votes = 12.5f;
+  detection.rms_error = 0.25f;
+  return detection;
+}
+
+FileReport fourKinds() {
+  FileReport report;
+  report.file = "frame.pcd";
+  report.detections.points_in = 100;
+  report.detections.points_used = 90;
+  report.detections.samples = 80;
+  report.detections.scene_diameter = 1.5;
+  report.detections.items = {detectionOf(Plane{{1, 2, 3}, {0, 0, -1}}), detectionOf(Sphere{{1, 2, 3}, 0.5}),
+                             detectionOf(Cylinder{{1, 2, 3}, {0, 1, 0}, 0.25}),
+                             detectionOf(Cone{{1, 2, 3}, {1, 0, 0}, 0.75})};
+  report.timing_ms = {{"read", 1.5}, {"vote", 2.5}, {"total", 3.5}};
+  return report;
+}
+
+const Json kPoint = {1.0, 2.0, 3.0};
+
+TEST(JsonReport, GivesEachKindItsKeys) {
+  const Json primitives = Json::parse(reportJson(fourKinds()))["primitives"];
+  ASSERT_EQ(primitives.size(), 4u);
+  EXPECT_EQ(primitives[0]["type"], "plane");
+  EXPECT_EQ(primitives[0]["point"], kPoint);
+  EXPECT_EQ(primitives[0]["normal"], Json({0.0, 0.0, -1.0}));
+  EXPECT_EQ(primitives[1]["type"], "sphere");
+  EXPECT_EQ(primitives[1]["center"], kPoint);
+  EXPECT_EQ(primitives[1]["radius"], 0.5);
+  EXPECT_EQ(primitives[2]["type"], "cylinder");
+  EXPECT_EQ(primitives[2]["point"], kPoint);
+  EXPECT_EQ(primitives[2]["axis"], Json({0.0, 1.0, 0.0}));
+  EXPECT_EQ(primitives[2]["radius"], 0.25);
+  EXPECT_EQ(primitives[3]["type"], "cone");
+  EXPECT_EQ(primitives[3]["apex"], kPoint);
+  EXPECT_EQ(primitives[3]["axis"], Json({1.0, 0.0, 0.0}));
+  EXPECT_EQ(primitives[3]["half_angle"], 0.75);
+  for (const Json& primitive : primitives) {
+    EXPECT_EQ(primitive["inliers"], 42);
+    EXPECT_EQ(primitive["votes"], 12.5);
+    EXPECT_EQ(primitive["rms_error"], 0.25);
+  }
+}
+
+TEST(JsonReport, SaysHowMuchWasReadAndHowLongItTook) {
+  const Json json = Json::parse(reportJson(fourKinds()));
+  EXPECT_EQ(json["file"], "frame.pcd");
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["points_in"], 100);
+  EXPECT_EQ(json["points_used"], 90);
+  EXPECT_EQ(json["samples"], 80);
+  EXPECT_EQ(json["scene_diameter"], 1.5);
+  EXPECT_EQ(json["timing_ms"]["read"], 1.5);
+  EXPECT_EQ(json["timing_ms"]["vote"], 2.5);
+  EXPECT_EQ(json["timing_ms"]["total"], 3.5);
+  EXPECT_FALSE(json.contains("repeats"));
+}
+
+TEST(JsonReport, LeavesUnknownFieldsNull) {
+  const Json plane = Json::parse(reportJson(fourKinds()))["primitives"][0];
+  for (const char* key : {"confidence", "coverage", "radius_stddev", "half_angle_stddev", "covariance", "truncated"}) {
+    ASSERT_TRUE(plane.contains(key)) << key;
+    EXPECT_TRUE(plane[key].is_null()) << key;
+  }
+}
+
+TEST(JsonReport, FillsKnownFields) {
+  FileReport report = fourKinds();
+  Detection& plane = report.detections.items[0];
+  plane.confidence = 0.5f;
+  plane.truncated = kTruncatedByImage | kTruncatedByOcclusion;
+  plane.covariance.fill(0.125);
+  plane.extent.size = {2.0, 1.0, 0.0};
+  plane.extent.hull = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  const Json json = Json::parse(reportJson(report))["primitives"][0];
+  EXPECT_EQ(json["confidence"], 0.5);
+  EXPECT_EQ(json["truncated"], Json({"image", "occlusion"}));
+  EXPECT_EQ(json["covariance"].size(), 36u);
+  EXPECT_EQ(json["extent"]["size"], Json({2.0, 1.0}));
+  EXPECT_EQ(json["extent"]["hull"][1], Json({1.0, 0.0, 1.0}));
+}
+
+TEST(JsonReport, SaysWhyNothingCameOut) {
+  FileReport empty;
+  empty.detections.status = Status::empty_input;
+  const Json json = Json::parse(reportJson(empty));
+  EXPECT_EQ(json["status"], "empty_input");
+  EXPECT_TRUE(json["primitives"].is_array());
+  EXPECT_TRUE(json["primitives"].empty());
+}
+
+TEST(JsonReport, ListsSeveralFilesWithThoseThatFailed) {
+  FileReport failed;
+  failed.file = "broken\xff.pcd";  // not UTF-8
+  failed.error = "broken.pcd: is empty (0 bytes)";
+  const Json json = Json::parse(reportsJson({fourKinds(), failed}));
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[0]["primitives"].size(), 4u);
+  EXPECT_EQ(json[1]["error"], failed.error);
+  EXPECT_TRUE(json[1]["primitives"].empty());
+}
+
+TEST(JsonReport, KeepsTheOrderOfKeysAndEndsWithANewline) {
+  const std::string text = reportJson(fourKinds());
+  EXPECT_LT(text.find("\"file\""), text.find("\"primitives\""));
+  EXPECT_LT(text.find("\"primitives\""), text.find("\"timing_ms\""));
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(NamesOfShapes, TellKindAndSizeInSuitableUnits) {
+  Detection plane = detectionOf(Plane{});
+  EXPECT_EQ(nameText(plane), "plane");
+  plane.extent.size = {0.42, 0.61, 0.0};
+  EXPECT_EQ(nameText(plane), "plane 610 x 420 mm");
+  plane.extent.size = {1.31, 0.9, 0.0};
+  EXPECT_EQ(nameText(plane), "plane 1.31 x 0.90 m");
+  EXPECT_EQ(nameText(detectionOf(Sphere{{}, 0.203})), "sphere r 203 mm");
+  EXPECT_EQ(nameText(detectionOf(Cylinder{{}, {0, 0, 1}, 0.0393})), "cylinder r 39 mm");
+  EXPECT_EQ(nameText(detectionOf(Cylinder{{}, {0, 0, 1}, 1.714})), "cylinder r 1.71 m");
+  EXPECT_EQ(nameText(detectionOf(Cone{{}, {0, 0, 1}, 0.5235987755982988})), "cone half angle 30.0 deg");
+  EXPECT_EQ(lengthText(0.0043), "4.3 mm");
+}
+
+}  // namespace
+}  // namespace primitect::io
