@@ -14,8 +14,9 @@ namespace {
 
 constexpr const char* kDescription =
     "Finds planes, spheres, cylinders and cones in point files (PCD, PLY) and 16-bit depth images (PNG).\n"
-    "Organized clouds and depth images are cut at min_depth and max_depth; other clouds are not, and the normals that\n"
-    "such a file brings are kept as they are, unless --params or an option says otherwise.";
+    "Organized clouds and depth images are cut at min_depth and max_depth, other clouds are not, and normals that a "
+    "file\n"
+    "brings are kept as they are, unless --params or an option says otherwise.";
 
 constexpr const char* kFooter =
     "\nParameters: the preset, then the --params file, then the options; --preset replaces the preset of the file.\n"

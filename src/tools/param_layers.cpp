@@ -30,7 +30,7 @@ void ParamLayers::addText(const std::string& name, const std::string& text) {
 Params ParamLayers::paramsFor(bool camera_image, bool brings_normals) const {
   Params params = presetParams(preset_);
   if (!camera_image) params.min_depth = params.max_depth = 0.0;
-  if (!camera_image && brings_normals) params.orient_normals = false;
+  if (brings_normals) params.orient_normals = false;
   for (const auto& [name, value] : values_) setParam(params, name, value);
   checkParams(params);
   return params;

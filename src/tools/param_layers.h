@@ -24,8 +24,9 @@ class ParamLayers {
   /// Throws std::invalid_argument naming parameter, value and range.
   void addText(const std::string& name, const std::string& text);
 
-  /// A camera image is cut at the parameters' depths; any other cloud is not, and its normals are kept as they are,
-  /// unless the user said otherwise. Throws std::invalid_argument when two parameters contradict each other.
+  /// A camera image is cut at the parameters' depths, any other cloud is not, and normals that a file brings are kept
+  /// as they are, unless the user said otherwise. Throws std::invalid_argument when two parameters contradict each
+  /// other.
   Params paramsFor(bool camera_image, bool brings_normals) const;
 
   /// A YAML file that sets the same.
