@@ -19,6 +19,8 @@ function(primitect_test name)
     add_dependencies(tests test_${name})
   endif()
   target_link_libraries(test_${name} GTest::gtest_main ${ARGN})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_include_directories(test_${name} SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})
   target_compile_definitions(test_${name} PRIVATE
     PRIMITECT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PRIMITECT_TOOLS_DIR="${CMAKE_BINARY_DIR}/devel/lib/primitect")
 endfunction()

@@ -30,9 +30,9 @@ constexpr std::array<Counts, kSceneKindCount> kCounts = {
     {{30, 0, 0, 0}, {0, 20, 0, 0}, {0, 0, 30, 0}, {0, 0, 0, 20}, {20, 5, 10, 5}}};
 constexpr std::array<const char*, kSceneKindCount> kNames = {"spheres", "cylinders", "cones", "planes", "mixed"};
 
-std::vector<Object> drawObjects(SceneKind kind, Random& random) {
+std::vector<PaperObject> drawObjects(SceneKind kind, Random& random) {
   const Counts& counts = kCounts[static_cast<std::size_t>(kind)];
-  std::vector<Object> objects = {background()};
+  std::vector<PaperObject> objects = {background()};
   for (int k = 0; k < counts.spheres; ++k) objects.push_back(drawSphere(random));
   for (int k = 0; k < counts.cylinders; ++k) objects.push_back(drawCylinder(random));
   for (int k = 0; k < counts.cones; ++k) objects.push_back(drawCone(random));
@@ -49,7 +49,7 @@ struct Rendering {
 
 double gridCoordinate(int k) { return (k - kGridSize / 2) * kGridStep; }
 
-Rendering render(const std::vector<Object>& objects) {
+Rendering render(const std::vector<PaperObject>& objects) {
   Rendering seen;
   seen.owned.assign(objects.size(), 0);
   for (int row = 0; row < kGridSize; ++row) {
@@ -70,8 +70,8 @@ Rendering render(const std::vector<Object>& objects) {
 }
 
 /// The background, the first object, stays whatever it owns: without it there would be holes.
-std::vector<Object> withEnoughPoints(const std::vector<Object>& objects, const Rendering& seen) {
-  std::vector<Object> kept = {objects.front()};
+std::vector<PaperObject> withEnoughPoints(const std::vector<PaperObject>& objects, const Rendering& seen) {
+  std::vector<PaperObject> kept = {objects.front()};
   for (std::size_t k = 1; k < objects.size(); ++k) {
     if (seen.owned[k] >= kMinShare * seen.owner.size()) kept.push_back(objects[k]);
   }
@@ -133,7 +133,7 @@ Cloud toCloud(const Rendering& seen) {
 }
 
 /// Outward normals of the noiseless surfaces; all look up, as only upper surfaces are seen.
-std::vector<Vec3> noiselessNormals(const std::vector<Object>& objects, const Rendering& seen) {
+std::vector<Vec3> noiselessNormals(const std::vector<PaperObject>& objects, const Rendering& seen) {
   std::vector<Vec3> normals(seen.points.size());
   for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = normalAt(objects[seen.owner[i]].shape, seen.points[i]);
   return normals;
@@ -156,7 +156,7 @@ PaperScene makePaperScene(SceneKind kind, std::uint64_t seed, double sigma, doub
   if (!(outlier_share >= 0.0 && outlier_share < 1.0))
     throw std::invalid_argument("outlier_share = " + std::to_string(outlier_share) + ": must be in [0, 1)");
   Random random(seed * kSceneKindCount + static_cast<std::uint64_t>(kind));
-  std::vector<Object> objects = drawObjects(kind, random);
+  std::vector<PaperObject> objects = drawObjects(kind, random);
   objects = withEnoughPoints(objects, render(objects));
   Rendering seen = render(objects);
   const std::vector<Vec3> normals = noiselessNormals(objects, seen);

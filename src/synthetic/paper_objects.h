@@ -21,7 +21,7 @@ constexpr double kCeiling = 2.0;    // m, cylinders and cones end there
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 /// A shape and its upper surface: the height at (x, y), or kNothing.
-struct Object {
+struct PaperObject {
   Shape shape;
   std::function<double(double, double)> height;
 };
@@ -47,12 +47,12 @@ inline double upperRoot(double a, double b, double c) {
 }
 
 /// The plane z = 0.1 x behind everything.
-inline Object background() {
+inline PaperObject background() {
   return {Plane{Vec3::Zero(), Vec3(-0.1, 0.0, 1.0).normalized()}, [](double x, double) { return 0.1 * x; }};
 }
 
 /// Centre in [-2, 2] x [-2, 2] x [-1, 1], radius in [0.05, 1], not wholly below z = 0.
-inline Object drawSphere(Random& random) {
+inline PaperObject drawSphere(Random& random) {
   Sphere sphere;
   do {
     sphere.center = drawPoint(random, -1.0, 1.0);
@@ -65,7 +65,7 @@ inline Object drawSphere(Random& random) {
 }
 
 /// Axis point in [-2, 2] x [-2, 2] x [-1, 1], |axis_z| <= 0.8, radius in [0.05, 1].
-inline Object drawCylinder(Random& random) {
+inline PaperObject drawCylinder(Random& random) {
   Cylinder cylinder;
   do {
     cylinder.point = drawPoint(random, -1.0, 1.0);
@@ -100,7 +100,7 @@ inline double coneHeight(const Cone& cone, double length, double x, double y) {
 
 /// Apex in [-2, 2] x [-2, 2] x [0, 2], sine of the half angle in [sin 10 deg, sin 45 deg]; its inside is never seen
 /// from above.
-inline Object drawCone(Random& random) {
+inline PaperObject drawCone(Random& random) {
   const double kDegree = std::acos(-1.0) / 180.0;
   Cone cone;
   double sine;
@@ -117,7 +117,7 @@ inline Object drawCone(Random& random) {
 }
 
 /// Corners in [-2, 2] x [-2, 2] x [0, 2].
-inline Object drawTriangle(Random& random) {
+inline PaperObject drawTriangle(Random& random) {
   std::array<Vec3, 3> corners;
   for (Vec3& corner : corners) corner = drawPoint(random, 0.0, 2.0);
   Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);

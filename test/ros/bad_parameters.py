@@ -7,6 +7,7 @@ import sys
 import unittest
 
 import rosgraph
+import roslib.packages
 import rospy
 import rostest
 from ros_helpers import PATIENCE, Collector, wait_for
@@ -16,7 +17,8 @@ from rosgraph_msgs.msg import Log
 def run(program, values):
     """Exit code and output of a plain node with these private parameters; None when it kept running."""
     rospy.set_param("/tested", values)
-    command = ["rosrun", "primitect", program, "__name:=tested"]
+    # Not rosrun: it passes over a build folder within the package.
+    command = [roslib.packages.find_node("primitect", program)[0], "__name:=tested"]
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE,
                               check=False)
