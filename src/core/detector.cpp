@@ -14,6 +14,7 @@
 #include "core/pair_voting.h"
 #include "core/sampling.h"
 #include "core/segmentation.h"
+#include "core/verification.h"
 
 namespace primitect {
 namespace {
@@ -59,7 +60,33 @@ struct Detector::Workspace {
     if (stage_done) stage_done(stage);
   }
 
-  double inlierDistance() const { return params.inlier_distance * result.scene_diameter; }
+  double largestRadius() const { return params.radius_bin * params.radius_bins * result.scene_diameter; }
+
+  /// Tolerances of this frame; the tight one waits for the first candidates where the noise has to be measured.
+  void setTolerances(const Cloud& cloud) {
+    loose = {params.inlier_distance * result.scene_diameter, 0.0, std::cos(params.inlier_angle_deg * M_PI / 180.0)};
+    tight = loose;
+    const bool depth_camera = cloud.organized() && *std::min_element(samples.z.begin(), samples.z.end()) > 0.0f;
+    if (params.verify && depth_camera) tight.distance_per_depth = params.inlier_depth_share;
+  }
+
+  /// From candidates to segments, by votes alone or checked on the samples.
+  void select(int round) {
+    if (!params.verify) return selectSegments(samples, candidates, params, loose, segments);
+    if (round == 0 && tight.distance_per_depth <= 0.0) {
+      tight.distance = estimateNoiseTolerance(samples, candidates, loose);
+    }
+    verifyCandidates(samples, candidates, params, loose, tight, largestRadius(), segments);
+  }
+
+  /// Gives all samples drawn so far to the segments.
+  void assign() {
+    all_samples.append(samples);
+    assignSamples(all_samples, params, tight, segments);
+    if (!params.verify) return;
+    refineSegments(all_samples, params, tight, largestRadius(), segments);
+    assignSamples(all_samples, params, tight, segments);
+  }
 
   /// Forgets the last frame and looks whether this one can be used.
   void begin(const Cloud& cloud) {
@@ -77,12 +104,13 @@ struct Detector::Workspace {
     labels.clear();
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
-    if (round > 0) labelPoints(cloud, result.items, kOutskirts * inlierDistance(), labels);
+    if (round > 0) labelPoints(cloud, result.items, tight.scaled(kOutskirts), labels);
     drawSamples(cloud, labels, params.samples, static_cast<std::uint64_t>(params.seed) + round, samples);
     if (round > 0) return samples.size() >= kFewestPoints;
     result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
     // All points in one place have no scale and no normals.
     if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
+    setTolerances(cloud);
     return result.status == Status::ok;
   }
 
@@ -99,6 +127,8 @@ struct Detector::Workspace {
   PairVoting voting;
   Samples samples;      ///< of this round
   Samples all_samples;  ///< of all rounds of this frame
+  Tolerance loose;      ///< to gather the samples of a candidate
+  Tolerance tight;      ///< of what belongs to a shape
   std::vector<Candidate> candidates;
   std::vector<Segment> segments;
   std::vector<Vec3> inliers;
@@ -132,9 +162,8 @@ const Detections& Detector::detect(const Cloud& cloud) {
     w.done("vote");
     clusterCandidates(w.candidates, w.params, w.result.scene_diameter);
     w.done("cluster");
-    selectSegments(w.samples, w.candidates, w.params, w.result.scene_diameter, w.segments);
-    w.all_samples.append(w.samples);
-    assignSamples(w.all_samples, w.params, w.result.scene_diameter, w.segments);
+    w.select(round);
+    w.assign();
     w.done("segment");
     w.describeSegments();
     w.done("extent");
@@ -143,7 +172,7 @@ const Detections& Detector::detect(const Cloud& cloud) {
 }
 
 void Detector::label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
-  labelPoints(cloud, work_->result.items, work_->inlierDistance(), labels);
+  labelPoints(cloud, work_->result.items, work_->tight, labels);
 }
 
 }  // namespace primitect

@@ -9,16 +9,17 @@
 
 namespace primitect {
 
-void labelPoints(const Cloud& cloud, const std::vector<Detection>& detections, double tolerance,
+void labelPoints(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
                  std::vector<std::uint32_t>& labels) {
   labels.assign(cloud.size(), 0);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
     const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
-    double nearest = tolerance;
+    const double margin = tolerance.distanceAt(point);
+    double nearest = margin;
     for (std::size_t k = 0; k < detections.size(); ++k) {
       const double away = std::abs(distance(detections[k].shape, point));
-      if (!(away < nearest) || !contains(detections[k].shape, detections[k].extent, point, tolerance)) continue;
+      if (!(away < nearest) || !contains(detections[k].shape, detections[k].extent, point, margin)) continue;
       nearest = away;
       labels[i] = static_cast<std::uint32_t>(k + 1);
     }

@@ -9,12 +9,10 @@
 #include <cmath>
 
 #include "core/neighbors.h"
+#include "core/tolerance.h"
 
 namespace primitect {
 namespace {
-
-/// Axial noise of structured-light cameras (m) at depth z (Nguyen et al., 3DIMPVT 2012): a floor for fit tolerances.
-double axialNoise(double z) { return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4); }
 
 /// The pixels of a window, clipped to the image.
 struct Window {

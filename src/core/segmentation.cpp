@@ -12,24 +12,6 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-struct Tolerance {
-  double distance;
-  double cos_angle;
-};
-
-/// |distance| of the sample to the shape if it can be its inlier, else infinity.
-double inlierDistance(const Shape& shape, const Samples& samples, std::size_t i, const Tolerance& tolerance) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const Vec3 point = samples.point(i);
-  const double away = std::abs(distance(shape, point));
-  if (!(away < tolerance.distance)) return kNone;
-  return samples.normal(i).dot(normalAt(shape, point)) > tolerance.cos_angle ? away : kNone;
-}
-
-Tolerance toleranceOf(const Params& params, double scene_diameter) {
-  return {params.inlier_distance * scene_diameter, std::cos(params.inlier_angle_deg * kDegree)};
-}
-
 /// Gives every sample to the nearest segment.
 void assignToNearest(const Samples& samples, const Tolerance& tolerance, std::vector<Segment>& segments) {
   for (Segment& segment : segments) segment.inliers.clear();
@@ -60,8 +42,7 @@ bool withinLimits(const Shape& shape, const Params& params) {
 }
 
 void selectSegments(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                    double scene_diameter, std::vector<Segment>& segments) {
-  const Tolerance tolerance = toleranceOf(params, scene_diameter);
+                    const Tolerance& tolerance, std::vector<Segment>& segments) {
   std::vector<bool> explained(samples.size(), false);
   for (const Segment& segment : segments) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -82,9 +63,8 @@ void selectSegments(const Samples& samples, const std::vector<Candidate>& candid
   }
 }
 
-void assignSamples(const Samples& samples, const Params& params, double scene_diameter,
+void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance,
                    std::vector<Segment>& segments) {
-  const Tolerance tolerance = toleranceOf(params, scene_diameter);
   const auto weak = [&params](const Segment& segment) {
     return segment.inliers.size() < static_cast<std::size_t>(params.min_inliers);
   };

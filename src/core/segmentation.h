@@ -8,6 +8,7 @@
 
 #include "core/candidate.h"
 #include "core/samples.h"
+#include "core/tolerance.h"
 #include "primitect/params.h"
 
 namespace primitect {
@@ -18,15 +19,15 @@ struct Segment {
   std::vector<std::uint32_t> inliers;  ///< indices of samples
 };
 
-/// Takes the candidates in their order; each keeps the samples near it (params.inlier_distance * d_s,
-/// params.inlier_angle_deg) that no earlier one explains, and is added to the segments when these are at least
-/// params.min_inliers.
+/// Takes the candidates in their order; each keeps the samples within the tolerance that no earlier one explains, and
+/// is added to the segments when these are at least params.min_inliers.
 void selectSegments(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                    double scene_diameter, std::vector<Segment>& segments);
+                    const Tolerance& tolerance, std::vector<Segment>& segments);
 
 /// Gives every sample to the nearest of the segments within the same tolerances, or to none; segments that keep fewer
 /// than params.min_inliers go.
-void assignSamples(const Samples& samples, const Params& params, double scene_diameter, std::vector<Segment>& segments);
+void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance,
+                   std::vector<Segment>& segments);
 
 /// The shape's size is within the limits of params.
 bool withinLimits(const Shape& shape, const Params& params);

@@ -283,20 +283,25 @@ TEST(Clustering, SortsByVotes) {
   for (std::size_t k = 1; k < candidates.size(); ++k) EXPECT_GE(candidates[k - 1].votes, candidates[k].votes);
 }
 
+/// 10 mm and 20 deg.
+const Tolerance kTolerance = {0.01, 0.0, std::cos(20.0 * kDegree)};
+
 TEST(Segmentation, ExplainsEachSampleAtMostOnce) {
   Random random(33);
   const Sphere a = {Vec3(0, 0, 1), 0.1}, b = {Vec3(0.3, 0, 1), 0.1};
   std::vector<SurfacePoint> points = patchOf(a, 100, random);
   for (const SurfacePoint& p : patchOf(b, 100, random)) points.push_back(p);
   const Samples samples = test::samplesOf(points);
+  Params few;
+  few.min_inliers = 30;
   const Sphere double_of_a = {Vec3(0, 0, 1.002), 0.101};
   std::vector<Segment> segments;
   segments.clear();
   selectSegments(samples,
-                 {candidate(a, points[0], 9), candidate(double_of_a, points[0], 5), candidate(b, points[150], 3)},
-                 Params(), 2.0, segments);
+                 {candidate(a, points[0], 9), candidate(double_of_a, points[0], 5), candidate(b, points[150], 3)}, few,
+                 kTolerance, segments);
   ASSERT_EQ(segments.size(), 2u);
-  assignSamples(samples, Params(), 2.0, segments);
+  assignSamples(samples, few, kTolerance, segments);
   EXPECT_EQ(segments[0].inliers.size(), 100u);
   EXPECT_EQ(segments[1].inliers.size(), 100u);
   EXPECT_EQ(std::get<Sphere>(segments[1].candidate.shape).center, b.center);
@@ -311,17 +316,17 @@ TEST(Segmentation, AsksForDistanceNormalAndNumber) {
   params.min_inliers = 15;
   std::vector<Segment> segments;
   segments.clear();
-  selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, 2.0, segments);
+  selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, kTolerance, segments);
   ASSERT_EQ(segments.size(), 1u);
   EXPECT_EQ(segments[0].inliers.size(), 15u);
   params.min_inliers = 16;
   segments.clear();
-  selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, 2.0, segments);
+  selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, kTolerance, segments);
   EXPECT_TRUE(segments.empty());
   params.min_inliers = 3;
-  const Plane moved = {Vec3(0, 0, 1.011), -Vec3::UnitZ()};  // tolerance 0.005 d_s = 10 mm
+  const Plane moved = {Vec3(0, 0, 1.011), -Vec3::UnitZ()};  // tolerance 10 mm
   segments.clear();
-  selectSegments(test::samplesOf(points), {candidate(moved, points[20], 9)}, params, 2.0, segments);
+  selectSegments(test::samplesOf(points), {candidate(moved, points[20], 9)}, params, kTolerance, segments);
   EXPECT_TRUE(segments.empty());
 }
 
