@@ -36,9 +36,12 @@ struct Cloud {
   /// Makes room for width * height points, all missing; keeps the memory of earlier frames.
   void reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
 
-  /// Stores a point; (0, 0, 0), anything not finite and depths outside the range become missing.
+  /// Farther than this (m) in x, y or z is no measurement: squares would leave the range of float.
+  static constexpr float kFarthest = 1e6f;
+
+  /// Stores a point; (0, 0, 0), anything not finite or beyond kFarthest, and depths outside the range become missing.
   void setPoint(std::size_t i, float px, float py, float pz, const DepthRange& range) {
-    const bool measured = std::isfinite(px) && std::isfinite(py) && std::isfinite(pz) &&
+    const bool measured = std::fabs(px) <= kFarthest && std::fabs(py) <= kFarthest && std::fabs(pz) <= kFarthest &&
                           !(px == 0.0f && py == 0.0f && pz == 0.0f) && range.contains(pz);
     constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
     x[i] = measured ? px : kMissing;

@@ -71,6 +71,9 @@ std::vector<std::string> presetNames();
 /// Explicit values are set on top of it, in any order.
 Params presetParams(const std::string& preset);
 
+/// Names of the parameters that a preset sets itself, whatever the defaults are; throws as presetParams().
+std::vector<std::string> presetSettings(const std::string& preset);
+
 /// The whole table as a commented YAML file (the text of config/default.yaml for the preset "default").
 std::string paramsAsYaml(const std::string& preset);
 

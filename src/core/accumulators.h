@@ -11,9 +11,9 @@
 
 namespace primitect {
 
-/// Where an accumulator peaks: votes of the strongest bin, votes of the bins that were averaged, and the parameters.
+/// Where an accumulator peaks: the votes of the bins that were averaged (the strongest one and its neighbours, or that
+/// one alone), and the parameters.
 struct Peak {
-  double strongest = 0.0;
   double votes = 0.0;
   double radius = 0.0;        ///< R or s_r (m)
   double angle = 0.0;         ///< cylinder: phi (rad)

@@ -10,6 +10,7 @@
 #include "core/clustering.h"
 #include "core/extent.h"
 #include "core/labeling.h"
+#include "core/neighbors.h"
 #include "core/normals.h"
 #include "core/pair_voting.h"
 #include "core/sampling.h"
@@ -93,6 +94,7 @@ struct Detector::Workspace {
     samples.clear();
     all_samples.clear();
     segments.clear();
+    neighbors.reset();
     result = {};
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
@@ -105,6 +107,8 @@ struct Detector::Workspace {
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
     if (round > 0) labelPoints(cloud, result.items, tight.scaled(kOutskirts), labels);
+    // No point votes twice: what was drawn counts as taken.
+    for (const std::uint32_t i : all_samples.index) labels[i] = 1;
     drawSamples(cloud, labels, params.samples, static_cast<std::uint64_t>(params.seed) + round, samples);
     if (round > 0) return samples.size() >= kFewestPoints;
     result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
@@ -133,6 +137,7 @@ struct Detector::Workspace {
   std::vector<Segment> segments;
   std::vector<Vec3> inliers;
   std::vector<std::uint32_t> labels;
+  std::unique_ptr<NeighborSearch> neighbors;  ///< in this frame's cloud, where normals need it
   Detections result;
 };
 
@@ -156,7 +161,7 @@ const Detections& Detector::detect(const Cloud& cloud) {
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
     if (!w.draw(cloud, round)) break;
     w.done("sample");
-    estimateNormals(cloud, w.params, w.samples);
+    estimateNormals(cloud, w.params, w.neighbors, w.samples);
     w.done("normals");
     w.voting.vote(w.samples, w.result.scene_diameter, w.candidates);
     w.done("vote");

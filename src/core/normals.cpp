@@ -78,21 +78,26 @@ void takeCloudNormals(const Cloud& cloud, bool orient, Samples& samples) {
   }
 }
 
+bool anyNormal(const Samples& samples) {
+  return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
+}
+
 void fitWindows(const Cloud& cloud, int window_at_one_meter, Samples& samples) {
   constexpr int kSmallestWindow = 3;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
     const int largest = std::max(kSmallestWindow, window_at_one_meter * 3 / 2);
-    const int half_width = std::clamp(static_cast<int>(std::lround(window_at_one_meter / samples.z[i])),
-                                      std::min(kSmallestWindow, window_at_one_meter), largest);
+    const double wanted =
+        std::clamp(static_cast<double>(window_at_one_meter) / samples.z[i],
+                   static_cast<double>(std::min(kSmallestWindow, window_at_one_meter)), static_cast<double>(largest));
+    const int half_width = static_cast<int>(std::lround(wanted));
     if (const std::optional<Vec3> normal = windowNormal(cloud, samples.index[i], half_width)) {
       store(*normal, i, samples);
     }
   }
 }
 
-void fitNeighborhoods(const Cloud& cloud, int count, Samples& samples) {
-  NeighborSearch search(cloud);
+void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Samples& samples) {
   std::vector<std::uint32_t> neighbors;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     search.nearest(cloud, samples.index[i], count, neighbors);
@@ -115,10 +120,13 @@ std::optional<Vec3> windowNormal(const Cloud& cloud, std::uint32_t pixel, int ha
   const Window window = windowAround(cloud, pixel, half_width);
   const int needed = std::max(6, static_cast<int>(kSmallestShare * (2 * half_width + 1) * (2 * half_width + 1)));
 
-  InverseDepthFit fit = fitWindow(cloud, window, pixel,
+  // The start comes from the inner window, where a step nearby has less of a say.
+  InverseDepthFit fit = fitWindow(cloud, windowAround(cloud, pixel, (half_width + 1) / 2), pixel,
                                   [&](std::size_t i) { return std::abs(cloud.z[i] - depth) < kLargestJump * depth; });
+  constexpr int kFewestAtStart = 6;
+  if (fit.used < kFewestAtStart) return std::nullopt;
   const double tolerance = kTolerance * axialNoise(depth);
-  for (int pass = 0; pass < kRobustPasses && fit.used >= needed; ++pass) {
+  for (int pass = 0; pass < kRobustPasses && fit.used > 0; ++pass) {
     const Vec3 plane = fit.plane;
     fit = fitWindow(cloud, window, pixel, [&](std::size_t i) {
       const double inverse_depth = plane.dot(Vec3(cloud.x[i], cloud.y[i], cloud.z[i])) / cloud.z[i];
@@ -149,12 +157,18 @@ std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint3
   return Vec3(solver.eigenvectors().col(0));
 }
 
-void estimateNormals(const Cloud& cloud, const Params& params, Samples& samples) {
-  if (params.use_cloud_normals && cloud.hasNormals()) return takeCloudNormals(cloud, params.orient_normals, samples);
+void estimateNormals(const Cloud& cloud, const Params& params, std::unique_ptr<NeighborSearch>& neighbors,
+                     Samples& samples) {
+  if (params.use_cloud_normals && cloud.hasNormals()) {
+    takeCloudNormals(cloud, params.orient_normals, samples);
+    // Fields that are there but hold zeros or NaN throughout are as good as none.
+    if (anyNormal(samples)) return;
+  }
   // The image window needs depth along z, as in an optical frame.
   const bool in_front = std::all_of(samples.z.begin(), samples.z.end(), [](float z) { return z > 0.0f; });
   if (cloud.organized() && in_front) return fitWindows(cloud, params.normal_window, samples);
-  fitNeighborhoods(cloud, params.normal_neighbors, samples);
+  if (!neighbors) neighbors = std::make_unique<NeighborSearch>(cloud);
+  fitNeighborhoods(cloud, params.normal_neighbors, *neighbors, samples);
 }
 
 }  // namespace primitect

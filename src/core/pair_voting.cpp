@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/segmentation.h"
+
 namespace primitect {
 namespace {
 
@@ -16,11 +18,6 @@ Vec3 toEigen(const kernels::Vector& v) { return {v.x, v.y, v.z}; }
 
 kernels::Vector fromEigen(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-bool withinLimits(const Cone& cone, const Params& params) {
-  return params.min_half_angle_deg * kDegree <= cone.half_angle &&
-         cone.half_angle <= params.max_half_angle_deg * kDegree;
 }
 
 }  // namespace

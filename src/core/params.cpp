@@ -110,12 +110,24 @@ const std::map<std::string, std::vector<Setting>>& presets() {
       {"clustering", std::string("average")},
       {"cluster_distance", 0.01},
       {"cluster_angle_deg", 20.0},
-      // Not in the paper: what is too weak to report. 20 of 2048 samples are half of its smallest objects.
+      // Not in the paper: normals, and what is too weak to report. 20 of 2048 samples are half of its smallest objects.
+      {"seed", 1},
+      {"normal_window", 7},
+      {"normal_neighbors", 41},
+      {"detect_planes", true},
+      {"detect_spheres", true},
+      {"detect_cylinders", true},
+      {"detect_cones", true},
+      {"scene_diameter", 0.0},
       {"verify", false},
+      {"inlier_distance", 0.005},
+      {"inlier_depth_share", 0.0},
       {"inlier_angle_deg", 20.0},
       {"min_inliers", 20},
-      {"min_half_angle_deg", 5.0},
-      {"max_half_angle_deg", 75.0},
+      {"min_radius", 0.0},
+      {"max_radius", 0.0},
+      {"min_half_angle_deg", 0.0},
+      {"max_half_angle_deg", 90.0},
   };
   static const std::vector<Setting> kDrost = [] {
     std::vector<Setting> settings = kPaper;
@@ -251,6 +263,14 @@ Params presetParams(const std::string& preset) {
   Params params;
   for (const Setting& setting : found->second) setParam(params, setting.first, setting.second);
   return params;
+}
+
+std::vector<std::string> presetSettings(const std::string& preset) {
+  std::vector<std::string> names;
+  const auto found = presets().find(preset);
+  if (found == presets().end()) presetParams(preset);  // throws
+  for (const Setting& setting : found->second) names.push_back(setting.first);
+  return names;
 }
 
 std::string paramsAsYaml(const std::string& preset) {

@@ -49,6 +49,18 @@ const T* only(const Detections& detections) {
   return found;
 }
 
+/// All numbers of a shape, to compare bit for bit.
+std::vector<double> shapeNumbers(const Shape& shape) {
+  const auto list = [](const Vec3& a, const Vec3& b, double c) {
+    return std::vector<double>{a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c};
+  };
+  if (const Plane* s = std::get_if<Plane>(&shape)) return list(s->point, s->normal, 0.0);
+  if (const Sphere* s = std::get_if<Sphere>(&shape)) return list(s->center, Vec3::Zero(), s->radius);
+  if (const Cylinder* s = std::get_if<Cylinder>(&shape)) return list(s->point, s->axis, s->radius);
+  const Cone& cone = std::get<Cone>(shape);
+  return list(cone.apex, cone.axis, cone.half_angle);
+}
+
 class DetectorPreset : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(DetectorPreset, FindsTableBallCanAndCone) {
@@ -76,9 +88,11 @@ INSTANTIATE_TEST_SUITE_P(Presets, DetectorPreset, ::testing::Values("paper", "de
 
 TEST(Detector, FillsWhatItKnowsAndSaysUnknownOfTheRest) {
   Detector detector{Params()};
-  for (const Detection& detection : detector.detect(tabletop()).items) {
+  const Detections& result = detector.detect(tabletop());
+  ASSERT_EQ(result.items.size(), 4u);
+  for (const Detection& detection : result.items) {
     EXPECT_GT(detection.votes, Params().min_votes);
-    EXPECT_GE(detection.inlier_count, 30u);
+    EXPECT_GE(detection.inlier_count, static_cast<std::uint32_t>(Params().min_inliers));
     EXPECT_GE(detection.rms_error, 0.0f);
     EXPECT_EQ(detection.confidence, kUnknown);
     EXPECT_EQ(detection.covariance[0], -1.0);
@@ -96,6 +110,10 @@ TEST(Detector, RepeatsItselfBitForBit) {
   ASSERT_EQ(a.items.size(), b.items.size());
   for (std::size_t k = 0; k < a.items.size(); ++k) {
     EXPECT_EQ(a.items[k].shape.index(), b.items[k].shape.index());
+    EXPECT_EQ(shapeNumbers(a.items[k].shape), shapeNumbers(b.items[k].shape));
+    EXPECT_EQ(a.items[k].rms_error, b.items[k].rms_error);
+    EXPECT_EQ(a.items[k].extent.rotation, b.items[k].extent.rotation);
+    EXPECT_EQ(a.items[k].extent.hull, b.items[k].extent.hull);
     EXPECT_EQ(a.items[k].extent.origin, b.items[k].extent.origin);
     EXPECT_EQ(a.items[k].extent.size, b.items[k].extent.size);
     EXPECT_EQ(a.items[k].votes, b.items[k].votes);
@@ -120,6 +138,14 @@ TEST(Detector, GivesTheReasonWhenNothingCanComeOut) {
   }
   EXPECT_EQ(detector.detect(cloud).status, Status::too_few_points);
   EXPECT_TRUE(detector.detect(cloud).items.empty());
+}
+
+TEST(Detector, LetsNoPointVoteTwice) {
+  Random random(45);
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 3000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
+  Detector detector{Params()};
+  EXPECT_EQ(detector.detect(test::cloudOf(points)).samples, 3000u);
 }
 
 TEST(Detector, FindsNothingInPureNoise) {

@@ -109,9 +109,23 @@ TEST(Presets, PaperIsTheSectionChoiceOfParameters) {
   EXPECT_TRUE(paper.spread_votes && paper.average_bins && paper.clustering == "average");
 }
 
-TEST(Presets, DrostLeavesOutWhatThePaperAdds) {
-  const Params drost = presetParams("drost");
+TEST(Presets, PaperDependsOnNoDefault) {
+  const std::vector<std::string> own = presetSettings("paper");
+  const std::set<std::string> names(own.begin(), own.end());
+  for (const ParamInfo& info : paramTable()) {
+    if (info.group == "input" || info.group == "node") continue;
+    EXPECT_EQ(names.count(info.name), 1u) << info.name;
+  }
+}
+
+TEST(Presets, DrostIsThePaperWithoutWhatThePaperAdds) {
+  Params drost = presetParams("drost");
   EXPECT_FALSE(drost.spread_votes || drost.average_bins || drost.clustering == "average");
+  drost.spread_votes = drost.average_bins = true;
+  drost.clustering = "average";
+  for (const ParamInfo& info : paramTable()) {
+    EXPECT_EQ(getParam(drost, info.name), getParam(presetParams("paper"), info.name)) << info.name;
+  }
 }
 
 TEST(Presets, UnknownOnesAreRefusedWithTheKnownOnes) {

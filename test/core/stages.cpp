@@ -42,7 +42,7 @@ TEST(Cloud, TakesZeroAndNotFiniteAndOutOfRangeAsMissing) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const float depths[][3] = {{0, 0, 0},     {kNan, 0, 1},  {0, kInfinity, 1}, {0, 0, kNan},
-                             {0, 0, 2.01f}, {0, 0, 0.09f}, {0, 0, -1}};
+                             {0, 0, 2.01f}, {0, 0, 0.09f}, {0, 0, -1},        {3e38f, 0, 1}};
   Cloud cloud;
   cloud.reset(9, 1, false);
   for (std::size_t i = 0; i < 7; ++i) cloud.setPoint(i, depths[i][0], depths[i][1], depths[i][2], {0.1f, 2.0f});
@@ -170,6 +170,41 @@ TEST(WindowNormals, AreMissingWhereThePixelStandsAlone) {
   EXPECT_FALSE(windowNormal(cloud, pixel, 5));
 }
 
+TEST(WindowNormals, AreRobustAgainstStragglersInTheWindow) {
+  Cloud cloud = cameraCloud(Vec3(0.3, 0, 1).normalized(), 1.0);
+  // One side of the window stands off by 2 cm: within the first pass' reach, beyond the noise.
+  for (int row = 55; row <= 65; ++row) {
+    for (int column = 83; column <= 85; ++column) {
+      const std::size_t i = row * 160 + column;
+      for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= 1.02f;
+    }
+  }
+  const std::optional<Vec3> found = windowNormal(cloud, 60 * 160 + 80, 5);
+  ASSERT_TRUE(found);
+  EXPECT_LT((*found + Vec3(0.3, 0, 1).normalized()).norm(), 1e-3);
+}
+
+TEST(WindowNormals, LookAtAWiderWindowNearby) {
+  // Noise of half a millimetre in a checkerboard; a wider window averages more of it away.
+  const auto errorAt = [](double depth) {
+    Cloud cloud = cameraCloud(Vec3::UnitZ(), depth);
+    Random random(39);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const float factor = 1.0f + 0.002f * static_cast<float>(random.gaussian());
+      for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
+    }
+    Samples samples;
+    drawSamples(cloud, {}, 300, 1, samples);
+    std::unique_ptr<NeighborSearch> neighbors;
+    estimateNormals(cloud, Params(), neighbors, samples);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < samples.size(); ++i) sum += (samples.normal(i) + Vec3::UnitZ()).norm() / 300.0;
+    return sum;
+  };
+  // The noise is a share of the depth, so the angle of a fixed window would be the same at both.
+  EXPECT_LT(2.0 * errorAt(0.7), errorAt(2.0));
+}
+
 TEST(WindowNormals, ReachTheCornersOfTheImage) {
   const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   for (const std::uint32_t pixel : {0u, 159u, 119u * 160u, 119u * 160u + 159u}) {
@@ -188,7 +223,8 @@ TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
   cloud.nz.clear();
   Samples samples;
   drawSamples(cloud, {}, 200, 1, samples);
-  estimateNormals(cloud, Params(), samples);
+  std::unique_ptr<NeighborSearch> neighbors;
+  estimateNormals(cloud, Params(), neighbors, samples);
   std::vector<double> errors;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     ASSERT_TRUE(samples.hasNormal(i));
@@ -215,13 +251,26 @@ TEST(CloudNormals, AreKeptOrTurnedTowardsTheSensor) {
   Cloud cloud = test::cloudOf({{Vec3(0, 0, 1), Vec3(0, 0, 1)}, {Vec3(0, 1, 1), Vec3(0, 0, -1)}});
   Samples samples = test::samplesOf({{Vec3(0, 0, 1), Vec3::UnitX()}, {Vec3(0, 1, 1), Vec3::UnitX()}});
   Params params;
+  std::unique_ptr<NeighborSearch> neighbors;
   params.orient_normals = false;
-  estimateNormals(cloud, params, samples);
+  estimateNormals(cloud, params, neighbors, samples);
   EXPECT_FLOAT_EQ(samples.nz[0], 1.0f);
   params.orient_normals = true;
-  estimateNormals(cloud, params, samples);
+  estimateNormals(cloud, params, neighbors, samples);
   EXPECT_FLOAT_EQ(samples.nz[0], -1.0f);
   EXPECT_FLOAT_EQ(samples.nz[1], -1.0f);
+}
+
+TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) {
+    values->assign(cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  }
+  Samples samples;
+  drawSamples(cloud, {}, 50, 1, samples);
+  std::unique_ptr<NeighborSearch> neighbors;
+  estimateNormals(cloud, Params(), neighbors, samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_NEAR(samples.nz[i], -1.0f, 1e-4f);
 }
 
 Candidate candidate(const Shape& shape, const SurfacePoint& reference, double votes) {
@@ -238,6 +287,25 @@ TEST(Clustering, AveragesByVotes) {
   EXPECT_NEAR(std::get<Sphere>(candidates[0].shape).center.z(), 1.001, 1e-12);
   EXPECT_EQ(candidates[0].votes, 40.0);
   EXPECT_EQ(candidates[0].proposals, 2);
+}
+
+TEST(Clustering, MergesAveragesThatComeToAgree) {
+  // Spheres in a row along z: each agrees with its neighbour, the outer ones only with the average of the others.
+  std::vector<Candidate> candidates;
+  const double tops[] = {0.0, 0.012, 0.024};
+  const double votes[] = {10.0, 30.0, 20.0};
+  for (int k = 0; k < 3; ++k) {
+    const Plane plane = {Vec3(0, 0, 1.0 + tops[k]), -Vec3::UnitZ()};
+    candidates.push_back({plane, plane.point, plane.normal, votes[k]});
+  }
+  // 0.01 d_s = 13 mm: all three agree with the middle one, so one cluster; with the middle one weakest it takes two
+  // passes.
+  std::vector<Candidate> middle_weakest = candidates;
+  middle_weakest[1].votes = 5.0;
+  clusterCandidates(candidates, presetParams("paper"), 1.3);
+  EXPECT_EQ(candidates.size(), 1u);
+  clusterCandidates(middle_weakest, presetParams("paper"), 2.2);
+  EXPECT_EQ(middle_weakest.size(), 1u);
 }
 
 TEST(Clustering, WithNmsKeepsTheStrongest) {

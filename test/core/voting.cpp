@@ -65,6 +65,27 @@ TEST(SphereVotes, WithoutBinAveragesGiveTheBinCentre) {
   EXPECT_FALSE(shapesOf<Sphere>(candidates).empty());
 }
 
+TEST(CylinderVotes, WithoutBinAveragesGiveBinCentres) {
+  Random random(30);
+  Params params = presetParams("paper");
+  params.average_bins = false;
+  params.detect_cones = false;
+  const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), 0.1033};
+  const std::vector<SurfacePoint> points = patchOf(cylinder, 400, -0.2, 0.2, random);
+  const Samples samples = test::samplesOf(points);
+  const std::vector<Candidate> candidates = candidatesOf(points, 2.0, params);
+  ASSERT_FALSE(shapesOf<Cylinder>(candidates).empty());
+  for (const Cylinder& found : shapesOf<Cylinder>(candidates)) EXPECT_NEAR(found.radius, 0.105, 1e-9);
+  // phi of the first candidate, which is that of the first sample, is a multiple of the 10 deg bin.
+  const kernels::Reference reference = referenceAt(samples, 0);
+  const Vec3 y(reference.tangent_y.x, reference.tangent_y.y, reference.tangent_y.z);
+  const Vec3 z(reference.tangent_z.x, reference.tangent_z.y, reference.tangent_z.z);
+  const Vec3 axis = shapesOf<Cylinder>(candidates)[0].axis;
+  ASSERT_LT((candidates[0].point - points[0].point).norm(), 1e-6);
+  const double bins = std::atan2(axis.dot(z), axis.dot(y)) / (10.0 * kDegree);
+  EXPECT_NEAR(bins, std::round(bins), 1e-4);
+}
+
 TEST(CylinderVotes, FindRadiusAndAxisBetweenBins) {
   Random random(23);
   Params params = presetParams("paper");
@@ -152,7 +173,8 @@ TEST(ConeRecovery, RefusesTheCylinderAndThePlane) {
 
 TEST(ConeVotes, NearACylinderStayWithinTheAngleLimit) {
   Random random(26);
-  const Params params = presetParams("paper");
+  Params params = presetParams("paper");
+  params.min_half_angle_deg = 5.0;
   const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), Vec3(0.2, 1.0, 0.1).normalized(), 0.1};
   const std::vector<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
   for (const Cone& cone : shapesOf<Cone>(candidates)) EXPECT_GE(cone.half_angle, params.min_half_angle_deg * kDegree);
@@ -160,7 +182,7 @@ TEST(ConeVotes, NearACylinderStayWithinTheAngleLimit) {
   EXPECT_GT(shapesOf<Cylinder>(candidates).size(), 300u);
 }
 
-TEST(AxisThroughTheReference, GivesNoCandidateAndNoNan) {
+TEST(AxisThroughTheReference, GivesNoConeAndNoNan) {
   // Points of a disc seen along its normal: every axis through the reference, C2 = C3 = 0.
   const Plane plane = {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
   std::vector<SurfacePoint> points = {pointOn(plane, 0.0, 0.0)};
@@ -172,6 +194,7 @@ TEST(AxisThroughTheReference, GivesNoCandidateAndNoNan) {
   Params params = presetParams("paper");
   params.references = 1;
   for (const Candidate& candidate : candidatesOf(points, 2.0, params)) {
+    EXPECT_NE(kindOf(candidate.shape), Kind::cone);
     EXPECT_TRUE(project(candidate.shape, Vec3::Zero()).allFinite());
   }
 }

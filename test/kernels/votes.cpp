@@ -45,6 +45,19 @@ class Ballot {
   AxisBall ball_{10.0 * kDegree};
 };
 
+/// The weights that a pair should have, from its angles as eq. 1 defines them.
+struct PairFeaturesOf {
+  double symmetry, triangle;
+  PairFeaturesOf(const SurfacePoint& r, const SurfacePoint& i) {
+    const auto angle = [](const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };
+    const Vec3 d = i.point - r.point;
+    const double f2 = angle(d, r.normal), f3 = angle(d, i.normal), f4 = angle(r.normal, i.normal);
+    const double epsilon = 10.0 * kDegree;
+    symmetry = std::max(0.0, 1.0 - std::abs(f2 + f3 - M_PI) / epsilon);
+    triangle = std::max(0.0, 1.0 - std::abs(f2 - f3 - f4) / epsilon);
+  }
+};
+
 const Sphere kSphere = {Vec3(0.1, -0.2, 1.0), 0.3};
 const Cylinder kCylinder = {Vec3(0.0, 0.1, 1.0), Vec3(0.1, 0.9, 0.2).normalized(), 0.3};
 const Cone kCone = {Vec3(0.0, -0.2, 1.0), Vec3(0.0, 1.0, 0.1).normalized(), 25.0 * kDegree};
@@ -92,6 +105,63 @@ TEST(Votes, WithoutSpreadingFallIntoOneBinEach) {
   EXPECT_EQ(std::count(ballot.cone.begin(), ballot.cone.end(), 1.0f), 1);
   EXPECT_EQ(Ballot::mass(ballot.cylinder), 1.0);
   EXPECT_EQ(Ballot::mass(ballot.cone), 1.0);
+}
+
+/// The pair with the other normal turned by an angle within the plane of both normals.
+SurfacePoint turned(const SurfacePoint& reference, SurfacePoint other, double angle) {
+  const Vec3 axis = reference.normal.cross(other.normal).normalized();
+  other.normal = Eigen::AngleAxisd(angle, axis) * other.normal;
+  return other;
+}
+
+TEST(Votes, OfAPairOffByHalfOfEpsilonCountHalf) {
+  // Turning n_i on a great circle of the sphere through both points adds to F3 and F4 alike: F2 + F3 - pi and
+  // F2 - F3 - F4 change by the angle and by twice the angle.
+  const SurfacePoint reference = pointOn(kSphere, Vec3(0.0, 0.0, -1.0));
+  const SurfacePoint exact = pointOn(kSphere, Vec3(std::sin(0.6), 0.0, -std::cos(0.6)));
+  const double off = 2.5 * kDegree;
+  const SurfacePoint other = turned(reference, exact, off);
+  const PairFeaturesOf pair(reference, other);
+  Ballot ballot;
+  ballot.cast(reference, {other});
+  EXPECT_NEAR(Ballot::mass(ballot.cylinder), pair.symmetry, 0.01);
+  EXPECT_NEAR(Ballot::mass(ballot.sphere), pair.symmetry * pair.triangle, 0.01);
+  EXPECT_NEAR(pair.symmetry, 0.75, 0.01);
+  EXPECT_LT(Ballot::mass(ballot.sphere), 0.9);
+}
+
+TEST(Votes, OfATiltedPlanePairMultiplyThreeWeights) {
+  const SurfacePoint reference = {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  // The other normal leans away by 5 deg: F4 = 5 deg and F3 = 85 deg, F2 = 90 deg: 0.5 * 0.5 * 1.
+  const SurfacePoint leaning = {Vec3(0.2, 0.0, 1.0), Vec3(std::sin(5.0 * kDegree), 0.0, -std::cos(5.0 * kDegree))};
+  Ballot ballot;
+  ballot.cast(reference, {leaning});
+  EXPECT_NEAR(ballot.plane, 0.25f, 0.01f);
+}
+
+TEST(Votes, SpreadTheConesAxisDistanceBetweenTwoLayers) {
+  // s_r = h tan / cos; at 40 bins a metre the layers next to it share the vote by distance.
+  const double height = 0.45;
+  const double axis_distance = height * std::tan(kCone.half_angle) / std::cos(kCone.half_angle);
+  Ballot ballot;
+  ballot.cast(pointOn(kCone, height, 0.0), {pointOn(kCone, 0.8, 1.2)});
+  const std::size_t ball_bins = ballot.cone.size() / 40;
+  double mean = 0.0;
+  for (std::size_t bin = 0; bin < ballot.cone.size(); ++bin) {
+    mean += ballot.cone[bin] * (static_cast<double>(bin / ball_bins) + 0.5) / 40.0;
+  }
+  EXPECT_NEAR(mean, axis_distance, 1e-3);  // a layer is 25 mm
+}
+
+TEST(Votes, OfASphereWithoutSpreadingFallIntoOneBin) {
+  Params params = presetParams("paper");
+  params.spread_votes = false;
+  const SurfacePoint reference = pointOn(kSphere, Vec3(0.0, 0.0, -1.0));
+  Ballot ballot(params);
+  ballot.cast(reference,
+              {turned(reference, pointOn(kSphere, Vec3(std::sin(0.6), 0.0, -std::cos(0.6))), 2.0 * kDegree)});
+  EXPECT_EQ(std::count(ballot.sphere.begin(), ballot.sphere.end(), 1.0f), 1);
+  EXPECT_EQ(Ballot::mass(ballot.sphere), 1.0);
 }
 
 TEST(Votes, OfParallelNormalsOnACylinderGoNowhereCurved) {
@@ -163,6 +233,20 @@ TEST(Votes, FollowTheSwitchOfEachKind) {
     EXPECT_EQ(Ballot::mass(ballot.cylinder) > 0.0, params.detect_cylinders) << only;
     EXPECT_EQ(Ballot::mass(ballot.cone) > 0.0, params.detect_cones) << only;
   }
+}
+
+TEST(Votes, GoToPlanesOnlyWhenTheseAreOn) {
+  const SurfacePoint reference = {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  const SurfacePoint other = {Vec3(0.2, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  Params params = presetParams("paper");
+  params.detect_spheres = params.detect_cylinders = params.detect_cones = false;
+  Ballot planes_alone(params);
+  planes_alone.cast(reference, {other});
+  EXPECT_GT(planes_alone.plane, 0.9f);
+  params.detect_planes = false;
+  Ballot none(params);
+  none.cast(reference, {other});
+  EXPECT_EQ(none.plane, 0.0f);
 }
 
 TEST(Votes, SurviveRandomNoise) {
