@@ -49,13 +49,12 @@ std::optional<Peak> Accumulators::spherePeak() const {
   const std::optional<int> best = strongestBin(sphere_);
   if (!best) return std::nullopt;
   Peak peak;
-  const int reach = average_bins_ ? 1 : 0;
   double radius_sum = 0.0;
-  for (int bin = std::max(0, *best - reach); bin <= std::min(radius_bins_ - 1, *best + reach); ++bin) {
+  for (int bin = std::max(0, *best - 1); bin <= std::min(radius_bins_ - 1, *best + 1); ++bin) {
     peak.votes += sphere_[bin];
     radius_sum += sphere_[bin] * binRadius(bin);
   }
-  peak.radius = radius_sum / peak.votes;
+  peak.radius = average_bins_ ? radius_sum / peak.votes : binRadius(*best);
   return peak;
 }
 
@@ -65,19 +64,18 @@ std::optional<Peak> Accumulators::cylinderPeak() const {
   const int best_layer = *best / phi_bins_;
   const int best_phi = *best % phi_bins_;
   Peak peak;
-  const int reach = average_bins_ ? 1 : 0;
   double radius_sum = 0.0;
   double step_sum = 0.0;
-  for (int layer = std::max(0, best_layer - reach); layer <= std::min(radius_bins_ - 1, best_layer + reach); ++layer) {
-    for (int step = -reach; step <= reach; ++step) {
+  for (int layer = std::max(0, best_layer - 1); layer <= std::min(radius_bins_ - 1, best_layer + 1); ++layer) {
+    for (int step = -1; step <= 1; ++step) {
       const double votes = cylinder_[layer * phi_bins_ + (best_phi + step + phi_bins_) % phi_bins_];
       peak.votes += votes;
       radius_sum += votes * binRadius(layer);
       step_sum += votes * step;
     }
   }
-  peak.radius = radius_sum / peak.votes;
-  peak.angle = (best_phi + step_sum / peak.votes) * M_PI / phi_bins_;
+  peak.radius = average_bins_ ? radius_sum / peak.votes : binRadius(best_layer);
+  peak.angle = (best_phi + (average_bins_ ? step_sum / peak.votes : 0.0)) * M_PI / phi_bins_;
   return peak;
 }
 
@@ -88,10 +86,9 @@ std::optional<Peak> Accumulators::conePeak() const {
   const int best_direction = *best % ball_.binCount();
   const Vec3& axis = ball_.direction(best_direction);
   Peak peak;
-  const int reach = average_bins_ ? 1 : 0;
   double radius_sum = 0.0;
   Vec3 axis_sum = Vec3::Zero();
-  for (int layer = std::max(0, best_layer - reach); layer <= std::min(radius_bins_ - 1, best_layer + reach); ++layer) {
+  for (int layer = std::max(0, best_layer - 1); layer <= std::min(radius_bins_ - 1, best_layer + 1); ++layer) {
     const float* bins = cone_.data() + static_cast<std::size_t>(layer) * ball_.binCount();
     const auto addBin = [&](int bin) {
       const Vec3& direction = ball_.direction(bin);
@@ -99,14 +96,10 @@ std::optional<Peak> Accumulators::conePeak() const {
       radius_sum += bins[bin] * binRadius(layer);
       axis_sum += (direction.dot(axis) < 0.0 ? -bins[bin] : bins[bin]) * direction;
     };
-    if (!average_bins_) {
-      addBin(best_direction);
-      continue;
-    }
     for (const int bin : ball_.neighborhood(best_direction)) addBin(bin);
   }
-  peak.radius = radius_sum / peak.votes;
-  peak.axis = axis_sum.normalized();
+  peak.radius = average_bins_ ? radius_sum / peak.votes : binRadius(best_layer);
+  peak.axis = average_bins_ ? Vec3(axis_sum.normalized()) : axis;
   return peak;
 }
 

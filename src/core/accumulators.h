@@ -11,8 +11,7 @@
 
 namespace primitect {
 
-/// Where an accumulator peaks: the votes of the bins that were averaged (the strongest one and its neighbours, or that
-/// one alone), and the parameters.
+/// Where an accumulator peaks: the votes of the strongest bin and its neighbours together, and the parameters.
 struct Peak {
   double votes = 0.0;
   double radius = 0.0;        ///< R or s_r (m)

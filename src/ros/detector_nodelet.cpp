@@ -7,6 +7,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "late_transform.h"
 #include "messages.h"
 
 namespace primitect::ros_layer {
@@ -22,8 +23,8 @@ constexpr double kTimeJumpSeconds = 0.1;
 DetectorNodelet::~DetectorNodelet() { stop(); }
 
 void DetectorNodelet::onInit() {
-  const Lock lock(mutex_);
   try {
+    const Lock lock(mutex_);
     start();
     started_ = true;
   } catch (const std::exception& error) {
@@ -62,11 +63,12 @@ void DetectorNodelet::advertise() {
 }
 
 /// Without the lock: shutting down waits for a running callback, and that may be waiting for the lock.
+/// The outputs first: while they live, somebody who connects makes onConnectionChange() subscribe the input again.
 void DetectorNodelet::stop() {
+  for (ros::Publisher* publisher : {&primitives_, &markers_, &labels_, &normals_}) publisher->shutdown();
   input_.shutdown();
   diagnostics_timer_.stop();
   reconfigure_.reset();
-  for (ros::Publisher* publisher : {&primitives_, &markers_, &labels_, &normals_}) publisher->shutdown();
 }
 
 void DetectorNodelet::onConnectionChange() try {
@@ -99,11 +101,12 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   diagnostics_->frameReceived();
   pipeline_->times().begin();
   PrimitiveArray message = pipeline_->process(cloud);
-  std::string problem = pipeline_->error();
+  std::string problem = pipeline_->problem();
   if (!problem.empty() && input_warning_.ready()) {
     NODELET_WARN_STREAM(getName() << " refuses a cloud on " << input_.getTopic() << ": " << problem);
   }
-  if (problem.empty()) problem = toTargetFrame(message);
+  const std::string no_transform = toTargetFrame(message);
+  if (problem.empty()) problem = no_transform;
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
   diagnostics_->frameDone(message, problem);
@@ -117,13 +120,14 @@ void DetectorNodelet::publish(const sensor_msgs::PointCloud2& cloud, const Primi
     marker_style_.lifetime = pipeline_->params().marker_lifetime;
     markers_.publish(marker_writer_.update(message, marker_style_));
   }
-  if (!pipeline_->error().empty()) return;  // there is no cloud to show
+  if (message.status == PrimitiveArray::REJECTED_INPUT) return;  // there is no cloud to show
   if (labels_.getNumSubscribers() > 0) labels_.publish(pipeline_->labels(cloud.header));
   if (normals_.getNumSubscribers() > 0) normals_.publish(pipeline_->normals(cloud.header));
 }
 
 void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
-  const double backwards = (last_stamp_ - stamp).toSec();
+  // Not (last_stamp_ - stamp): a ros::Duration has 32 bits and throws beyond 68 years.
+  const double backwards = last_stamp_.toSec() - stamp.toSec();
   last_stamp_ = stamp;
   if (backwards <= kTimeJumpSeconds) return;
   NODELET_INFO_STREAM(getName() << ": time went back by " << backwards << " s, starting anew");
@@ -137,18 +141,20 @@ std::string DetectorNodelet::toTargetFrame(PrimitiveArray& message) {
   const std::string source = message.header.frame_id;
   Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();
   std::string problem;
-  if (!target.empty() && target != source) {
+  const bool something_to_move = message.status == PrimitiveArray::OK;
+  if (something_to_move && !target.empty() && target != source) {
     try {
-      target_from_source = tf2::transformToEigen(transforms_->lookupTransform(target, source, message.header.stamp));
-    } catch (const tf2::TransformException& error) {
+      target_from_source =
+          tf2::transformToEigen(lookupLateTransform(*transforms_, target, source, message.header.stamp));
+    } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
       problem = "no transform from '" + source + "' to target_frame '" + target + "': " + error.what();
       message.primitives.clear();
       message.status = PrimitiveArray::NO_TRANSFORM;
       if (transform_warning_.ready()) NODELET_WARN_STREAM(getName() << ": " << problem);
     }
     transformPrimitives(target_from_source, message);
-    message.header.frame_id = target;
   }
+  if (!target.empty()) message.header.frame_id = target;
   marker_style_.viewpoint = target_from_source.translation();
   marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
   return problem;

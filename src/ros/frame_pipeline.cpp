@@ -8,6 +8,20 @@
 #include "output_clouds.h"
 
 namespace primitect::ros_layer {
+namespace {
+
+/// What the detector needs at least to search a cloud.
+constexpr std::uint32_t kFewestPoints = 16;
+
+std::string metres(const char* name, double value) {
+  return std::string(name) + " (" + (value > 0.0 ? valueText(value) + " m)" : "off)");
+}
+
+std::string depthRangeText(double min_depth, double max_depth) {
+  return "between " + metres("min_depth", min_depth) + " and " + metres("max_depth", max_depth);
+}
+
+}  // namespace
 
 FramePipeline::FramePipeline(const Params& params) : detector_(makeDetector(params)) {}
 
@@ -21,15 +35,25 @@ void FramePipeline::setParams(const Params& params) { detector_ = makeDetector(p
 
 PrimitiveArray FramePipeline::process(const sensor_msgs::PointCloud2& message) {
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
-  error_ = readCloud(message, range, params().use_cloud_normals, cloud_);
+  problem_ = readCloud(message, range, params().use_cloud_normals, cloud_);
   times_.stageDone("read");
-  if (error_.empty()) {
+  if (problem_.empty()) {
     detections_ = detector_.detect(cloud_);
+    problem_ = statusProblem();
   } else {
     detections_ = Detections();
     detections_.status = Status::rejected_input;
   }
   return toMessage(detections_, message.header);
+}
+
+std::string FramePipeline::statusProblem() const {
+  if (detections_.status == Status::ok) return {};
+  const std::string used = std::to_string(detections_.points_used);
+  if (detections_.points_used >= kFewestPoints) return "all " + used + " measured points are in one place";
+  return used + " of " + std::to_string(detections_.points_in) + " points are measured and " +
+         depthRangeText(params().min_depth, params().max_depth) + "; expected at least " +
+         std::to_string(kFewestPoints);
 }
 
 sensor_msgs::PointCloud2 FramePipeline::labels(const std_msgs::Header& header) {

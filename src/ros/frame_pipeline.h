@@ -25,12 +25,11 @@ class FramePipeline {
   void setParams(const Params& params);
   const Params& params() const { return detector_.params(); }
 
-  /// Reads the cloud and detects; a cloud that cannot be read gives the status REJECTED_INPUT and error().
-  /// processing_time is left 0.
+  /// Reads the cloud and detects. When the status is not OK, problem() says why. processing_time is left 0.
   PrimitiveArray process(const sensor_msgs::PointCloud2& message);
 
-  /// What was wrong with the last cloud and what was expected; empty: nothing.
-  const std::string& error() const { return error_; }
+  /// What was wrong with the last cloud and what was expected; empty: it was searched.
+  const std::string& problem() const { return problem_; }
 
   /// Of the last cloud that process() could read.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
@@ -40,13 +39,14 @@ class FramePipeline {
 
  private:
   Detector makeDetector(const Params& params);
+  std::string statusProblem() const;
 
   StageTimes times_;
   Detector detector_;
   Cloud cloud_;
   Detections detections_;
   std::vector<std::uint32_t> labels_;
-  std::string error_;
+  std::string problem_;
 };
 
 }  // namespace primitect::ros_layer

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces of the observed part, their outlines, axes and texts.
+// Surfaces of the observed part, their outlines and axes; the texts come from marker_text.h.
 #include "marker_shapes.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "geometry_messages.h"
 #include "io/kind_color.h"
+#include "marker_text.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -19,31 +19,6 @@ constexpr int kConeSides = 36;
 
 /// Planes are large and lie behind everything else: less opaque by this.
 constexpr double kPlaneShare = 0.45;
-
-Vec3 toVec3(const geometry_msgs::Point& p) { return Vec3(p.x, p.y, p.z); }
-Vec3 toVec3(const geometry_msgs::Point32& p) { return Vec3(p.x, p.y, p.z); }
-
-geometry_msgs::Point pointMessage(const Vec3& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
-
-/// A primitive's pose as vectors.
-struct Body {
-  Vec3 origin;
-  Eigen::Matrix3d rotation;
-  Vec3 axis;
-
-  explicit Body(const Primitive& primitive) {
-    const geometry_msgs::Quaternion& q = primitive.pose.pose.orientation;
-    origin = toVec3(primitive.pose.pose.position);
-    rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-    axis = rotation.col(2);
-  }
-};
 
 std_msgs::ColorRGBA kindColorMessage(Kind kind, double alpha) {
   const io::Rgb color = io::kindColor(kind);
@@ -173,67 +148,17 @@ void addCone(const MarkerMaker& maker, const Primitive& primitive, double alpha,
   markers.push_back(maker.arrow(body.origin - to_apex * body.axis, wide + axisOverhang(length) * body.axis));
 }
 
-/// How far the primitive reaches from its origin in a direction of unit length (m).
-double reach(const Primitive& primitive, const Body& body, const Vec3& direction) {
-  if (primitive.type == Primitive::PLANE) {
-    double farthest = 0.0;
-    for (const auto& p : primitive.hull) farthest = std::max(farthest, (toVec3(p) - body.origin).dot(direction));
-    return farthest;
-  }
-  if (primitive.type == Primitive::SPHERE) return primitive.radius;
-  const double along = std::abs(body.axis.dot(direction));
-  return 0.5 * primitive.size[2] * along + primitive.radius * std::sqrt(std::max(0.0, 1.0 - along * along));
-}
-
-/// Planes carry their text near the lower edge, where nothing stands on them; bodies on top.
-Vec3 textPosition(const Primitive& primitive, const MarkerStyle& style, double height) {
-  const Body body(primitive);
-  if (primitive.type != Primitive::PLANE) {
-    return body.origin + (reach(primitive, body, style.up) + 1.2 * height) * style.up;
-  }
-  const Vec3 down = -style.up + style.up.dot(body.axis) * body.axis;  // within the plane
-  const Vec3 lifted = body.origin + height * body.axis;
-  if (!(down.norm() > 1e-3)) return lifted;
-  return lifted + 0.9 * reach(primitive, body, down.normalized()) * down.normalized();
-}
-
 Marker textMarker(const MarkerMaker& maker, const Primitive& primitive, const MarkerStyle& style) {
   Marker text = maker.make("_text", Marker::TEXT_VIEW_FACING, 1.0);
   const double distance = (toVec3(primitive.pose.pose.position) - style.viewpoint).norm();
   text.scale.z = std::clamp(0.025 * distance, 0.01, 0.25);
-  text.pose.position = pointMessage(textPosition(primitive, style, text.scale.z));
+  text.pose.position = pointMessage(textPosition(primitive, style.up, text.scale.z));
   text.color = lightened(text.color);
   text.text = describe(primitive);
   return text;
 }
 
-std::string length(double metres) {
-  char text[32];
-  if (metres < 1.0) {
-    std::snprintf(text, sizeof text, "%.0f mm", 1000.0 * metres);
-  } else {
-    std::snprintf(text, sizeof text, "%.2f m", metres);
-  }
-  return text;
-}
-
 }  // namespace
-
-std::string describe(const Primitive& primitive) {
-  char text[32];
-  switch (primitive.type) {
-    case Primitive::PLANE:
-      std::snprintf(text, sizeof text, "plane\n%.2f x %.2f m", primitive.size[0], primitive.size[1]);
-      return text;
-    case Primitive::SPHERE:
-      return "sphere r " + length(primitive.radius);
-    case Primitive::CYLINDER:
-      return "cylinder r " + length(primitive.radius) + "\nlength " + length(primitive.size[2]);
-    default:
-      std::snprintf(text, sizeof text, "cone %.0f deg", primitive.half_angle * 180.0 / M_PI);
-      return text + ("\nlength " + length(primitive.size[2]));
-  }
-}
 
 std::vector<Marker> primitiveMarkers(const std_msgs::Header& header, const Primitive& primitive,
                                      const MarkerStyle& style) {

@@ -6,7 +6,6 @@
 #include <primitect/PrimitiveArray.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <string>
 #include <vector>
 
 #include "primitect/primitives.h"
@@ -19,9 +18,6 @@ struct MarkerStyle {
   Vec3 up = -Vec3::UnitY();       ///< texts stand above in this direction of the header's frame
   Vec3 viewpoint = Vec3::Zero();  ///< the sensor (m): texts are as large as they can be read from there
 };
-
-/// Kind and size in one or two lines: "cylinder r 39 mm", "length 120 mm"; "plane", "0.62 x 0.41 m"; ...
-std::string describe(const Primitive& primitive);
 
 /// Surface, outline, axis and text. Namespaces: the kind, and the kind with _outline, _axis, _text;
 /// id: the track's number, or the index where it is untracked. Parts without an extent are left out.

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry_messages.h"
+
 namespace primitect::ros_layer {
 namespace {
 
@@ -24,25 +26,12 @@ static_assert(static_cast<int>(Status::too_few_points) == PrimitiveArray::TOO_FE
 static_assert(static_cast<int>(Status::rejected_input) == PrimitiveArray::REJECTED_INPUT);
 static_assert(static_cast<int>(Status::no_transform) == PrimitiveArray::NO_TRANSFORM);
 
-geometry_msgs::Point pointMessage(const Vec3& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
-
 geometry_msgs::Point32 point32Message(const Vec3& p) {
   geometry_msgs::Point32 point;
   point.x = static_cast<float>(p.x());
   point.y = static_cast<float>(p.y());
   point.z = static_cast<float>(p.z());
   return point;
-}
-
-template <typename PointMessage>
-Vec3 toVec3(const PointMessage& p) {
-  return Vec3(p.x, p.y, p.z);
 }
 
 /// Of the two quaternions of a rotation the one with w >= 0, so that the same rotation gives the same bytes.
@@ -56,10 +45,6 @@ geometry_msgs::Quaternion quaternionMessage(const Eigen::Matrix3d& rotation) {
   message.z = q.z();
   message.w = q.w();
   return message;
-}
-
-Eigen::Matrix3d toRotation(const geometry_msgs::Quaternion& q) {
-  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
 }
 
 Shape shapeOf(const Primitive& message, const Extent& extent) {

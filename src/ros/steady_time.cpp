@@ -20,13 +20,18 @@ double quantile(const std::vector<double>& sorted, double share) {
 }  // namespace
 
 void StageTimes::stageDone(const char* stage) {
-  add(stage, secondsSince(stage_begin_));
+  const auto same = [stage](const Stage& s) { return s.name == stage; };
+  auto found = std::find_if(frame_.begin(), frame_.end(), same);
+  if (found == frame_.end()) found = frame_.insert(frame_.end(), Stage{stage, 0.0});
+  found->seconds += secondsSince(stage_begin_);
   stage_begin_ = SteadyClock::now();
 }
 
 double StageTimes::end() {
   const double seconds = secondsSince(frame_begin_);
-  add(kTotal, seconds);
+  for (const Stage& stage : frame_) record(stage);
+  record({kTotal, seconds});
+  frame_.clear();
   return seconds;
 }
 
@@ -41,13 +46,14 @@ std::vector<StageSummary> StageTimes::summaries() const {
   return summaries;
 }
 
-void StageTimes::add(const char* stage, double seconds) {
-  auto record = std::find_if(stages_.begin(), stages_.end(), [stage](const Record& r) { return r.stage == stage; });
-  if (record == stages_.end()) record = stages_.insert(stages_.end(), Record{stage, {}, 0});
+void StageTimes::record(const Stage& stage) {
+  const auto same = [&stage](const Record& r) { return r.stage == stage.name; };
+  auto record = std::find_if(stages_.begin(), stages_.end(), same);
+  if (record == stages_.end()) record = stages_.insert(stages_.end(), Record{stage.name, {}, 0});
   if (record->milliseconds.size() < kFrames) {
-    record->milliseconds.push_back(1e3 * seconds);
+    record->milliseconds.push_back(1e3 * stage.seconds);
   } else {
-    record->milliseconds[record->next] = 1e3 * seconds;
+    record->milliseconds[record->next] = 1e3 * stage.seconds;
   }
   record->next = (record->next + 1) % kFrames;
 }

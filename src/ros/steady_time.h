@@ -45,9 +45,13 @@ struct StageSummary {
 class StageTimes {
  public:
   /// A frame begins now.
-  void begin() { frame_begin_ = stage_begin_ = SteadyClock::now(); }
+  void begin() {
+    frame_.clear();
+    frame_begin_ = stage_begin_ = SteadyClock::now();
+  }
 
   /// The stage that began where the one before ended is done.
+  /// A stage that runs several times in a frame counts once, with the sum of its times.
   void stageDone(const char* stage);
 
   /// The frame is done; returns its seconds.
@@ -67,9 +71,15 @@ class StageTimes {
     std::size_t next = 0;
   };
 
-  void add(const char* stage, double seconds);
+  struct Stage {
+    std::string name;
+    double seconds;
+  };
+
+  void record(const Stage& stage);
 
   std::vector<Record> stages_;
+  std::vector<Stage> frame_;  ///< of the frame that runs
   SteadyClock::time_point frame_begin_, stage_begin_;
 };
 

@@ -75,11 +75,6 @@ void writePointOutputs(const Targets& targets, std::size_t index, const primitec
   io::writePicture(targets.picture.path(index), io::drawPicture(points, input.file.intrinsics, title));
 }
 
-std::string sizeText(const primitect::Cloud& cloud) {
-  if (cloud.organized()) return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " image";
-  return std::to_string(cloud.size()) + " points";
-}
-
 io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index) {
   io::FileReport report;
   report.file = options.files[index];
@@ -90,7 +85,7 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   runDetector(detector, input, options.repeats, report);
   writePointOutputs(targets, index, detector, input, report);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
-  if (!targets.json.toStdout()) std::cout << tools::resultText(report, sizeText(input.file.cloud)) << std::flush;
+  if (!targets.json.toStdout()) std::cout << tools::resultText(report, input.file.cloud, input.range) << std::flush;
   return report;
 }
 

@@ -3,6 +3,8 @@
 // Tables for a terminal.
 #include "tools/result_text.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -52,15 +54,48 @@ std::string repeatsText(const io::FileReport& report) {
   return text;
 }
 
+std::string sizeText(const Cloud& cloud) {
+  if (!cloud.organized()) return std::to_string(cloud.size()) + " points";
+  return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " image";
+}
+
+/// The bounds that are on: "min_depth 0.1 m, max_depth 2 m".
+std::string rangeText(const DepthRange& range) {
+  std::string text = range.min > 0.0f ? format("min_depth %.4g m", range.min) : "";
+  if (range.max > 0.0f) text += format("%smax_depth %.4g m", text.empty() ? "" : ", ", range.max);
+  return text;
+}
+
+/// "at depths from 2.7 m to 3.1 m", of the measured points.
+std::string depthsText(const Cloud& cloud) {
+  // NaN loses every comparison against a number that stands first.
+  float nearest = INFINITY, farthest = -INFINITY;
+  for (const float z : cloud.z) {
+    nearest = std::min(nearest, z);
+    farthest = std::max(farthest, z);
+  }
+  return format("at depths from %.4g m to %.4g m", nearest, farthest);
+}
+
+/// Unlike the detector, this knows whether points were not measured or cut away.
+std::string emptyText(const Detections& found, const Cloud& whole, const DepthRange& range) {
+  const unsigned cut = whole.valid_count - found.points_used;
+  if (whole.valid_count == 0) return format("none of the %zu points is measured", whole.size());
+  if (cut == 0 || found.status == Status::ok) return io::reasonText(found);
+  const std::string by = "cut away by the depth range (" + rangeText(range) + ")";
+  if (found.points_used > 0) return io::reasonText(found) + format("; %u were ", cut) + by;
+  return format("all %u measured points, %s, were ", cut, depthsText(whole).c_str()) + by;
+}
+
 }  // namespace
 
-std::string resultText(const io::FileReport& report, const std::string& size) {
+std::string resultText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
   const Detections& found = report.detections;
-  std::string text = report.file + ": " + size + ", " +
+  std::string text = report.file + ": " + sizeText(whole) + ", " +
                      format("%u points used, %u samples, scene diameter %.3g m\n", found.points_used, found.samples,
                             found.scene_diameter);
   if (found.items.empty()) {
-    text += "  nothing found: " + io::reasonText(found) + "\n";
+    text += "  nothing found: " + emptyText(found, whole, range) + "\n";
   } else {
     text +=
         "    #  kind      size                                         position (m)         inliers    votes  rms\n";

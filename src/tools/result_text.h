@@ -6,11 +6,12 @@
 #include <string>
 
 #include "io/report.h"
-#include "tools/stage_timing.h"
+#include "primitect/cloud.h"
 
 namespace primitect::tools {
 
-/// The file, a table of its detections or the reason why there are none, and the times; `size` says what was read.
-std::string resultText(const io::FileReport& report, const std::string& size);
+/// The file, a table of its detections or the reason why there are none, and the times. `whole` is what was read,
+/// `range` what the detector got of it.
+std::string resultText(const io::FileReport& report, const Cloud& whole, const DepthRange& range);
 
 }  // namespace primitect::tools

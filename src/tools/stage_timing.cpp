@@ -7,10 +7,20 @@
 
 namespace primitect::tools {
 
+void addTime(io::Timing& timing, const std::string& stage, double milliseconds) {
+  const auto same = [&stage](const auto& entry) { return entry.first == stage; };
+  const auto known = std::find_if(timing.begin(), timing.end(), same);
+  if (known == timing.end()) {
+    timing.emplace_back(stage, milliseconds);
+  } else {
+    known->second += milliseconds;
+  }
+}
+
 TimedRun timeDetection(Detector& detector, const Cloud& cloud) {
   io::Timing timing;
   Stopwatch total, stage;
-  detector.onStageDone([&](const char* name) { timing.emplace_back(name, stage.lapMs()); });
+  detector.onStageDone([&](const char* name) { addTime(timing, name, stage.lapMs()); });
   total.lapMs();
   stage.lapMs();
   const Detections& found = detector.detect(cloud);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 #include <vector>
 
 #include "io/report.h"
@@ -25,7 +26,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// One run and its times: the stages in their order, then "total".
+/// Adds to the time of that stage, which comes last if it is new: a stage runs once in each round of a detection.
+void addTime(io::Timing& timing, const std::string& stage, double milliseconds);
+
+/// One run and its times: each stage once, all rounds together, in the order of their first run, then "total".
 struct TimedRun {
   io::Timing timing_ms;
   const Detections& found;  ///< valid until the detector's next run

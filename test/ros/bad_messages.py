@@ -95,11 +95,7 @@ class BadMessages(unittest.TestCase):
                 self.assertEqual(self.status_of(broken(change)), PrimitiveArray.REJECTED_INPUT)
 
     def test_say_what_was_wrong_and_what_was_expected(self):
-        def warned():
-            self.status_of(broken(without_z))  # again, as the warning is throttled
-            return [m for m in self.log.all() if m.name == "/detector" and m.level == Log.WARN and
-                    "refuses a cloud" in m.msg and "expected" in m.msg]
-        self.assertTrue(wait_for(warned))
+        self.assertTrue(self.warned(broken(without_z), "refuses a cloud", "expected", "'z'"))
 
     def test_are_shown_in_the_diagnostics(self):
         self.status_of(broken(big_endian))
@@ -120,6 +116,39 @@ class BadMessages(unittest.TestCase):
     def test_with_too_few_points_say_so(self):
         self.assertEqual(self.status_of(cloud_message([(0, 0, 1)], 1, 1)), PrimitiveArray.TOO_FEW_POINTS)
         self.assertEqual(self.status_of(cloud_message([(0, 0, 1)] * 400, 20, 20)), PrimitiveArray.TOO_FEW_POINTS)
+
+    def warned(self, message, *parts):
+        """True when a warning with all of these parts came; asks again and again, as warnings are throttled."""
+        def found():
+            self.status_of(message)
+            message.header.stamp = rospy.Time.now()
+            return [m for m in self.log.all() if m.name == "/detector" and m.level == Log.WARN and
+                    all(part in m.msg for part in parts)]
+        return wait_for(found)
+
+    def test_without_enough_points_are_explained(self):
+        self.assertTrue(self.warned(cloud_message([(1, 1, 50)] * 12, 4, 3), "0 of 12 points", "min_depth (0.1 m)",
+                                    "max_depth (2.0 m)", "expected at least 16"))
+        self.assertTrue(self.warned(cloud_message(GRID, 4, 3), "12 of 12 points", "expected at least 16"))
+
+    def test_without_enough_points_are_counted_in_the_diagnostics(self):
+        def values_of(status):
+            return {v.key: v.value for v in status.values}
+
+        def counted():
+            self.status_of(cloud_message([], 0, 0))
+            return [s for a in self.diagnostics.all() for s in a.status
+                    if s.name == "detector: input" and s.level == 1 and "0 of 0 points" in s.message and
+                    int(values_of(s)["rejected: empty_input"]) > 0]
+        self.assertTrue(wait_for(counted))
+
+    def test_may_have_any_stamp(self):
+        points, width, height = wall_and_ball()
+        # Farther apart than a ros::Duration can hold (68 years), forwards and backwards.
+        for seconds in (1, 4000000000, 4000000001, 2):
+            answer = self.detector.ask(cloud_message(points, width, height, stamp=rospy.Time(seconds)))
+            self.assertIsNotNone(answer, "no answer to stamp %d" % seconds)
+            self.assertEqual(answer.status, PrimitiveArray.OK)
 
     def test_do_not_spoil_the_good_ones_that_follow(self):
         self.status_of(broken(huge_width))

@@ -1,15 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The nodelet, the plain node and the core called directly give the same bytes for the same cloud.
+// The nodelet, the plain node, the core called directly and the offline tool give the same for the same cloud.
 #include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl_conversions/pcl_conversions.h>
 #include <primitect/PrimitiveArray.h>
 #include <ros/ros.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "primitect/detector.h"
+#include "ros/geometry_messages.h"
 #include "ros/messages.h"
 #include "ros/synthetic_messages.h"
 #include "synthetic/frame.h"
@@ -31,6 +41,63 @@ std::vector<std::uint8_t> comparableBytes(PrimitiveArray message) {
   return bytes;
 }
 
+/// A file that goes with the test.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_" + name)) {}
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// What the offline tool says about these points in an organized file.
+nlohmann::json fromTheTool(const sensor_msgs::PointCloud2& message) {
+  const TemporaryFile cloud_file("same_result.pcd"), report_file("same_result.json");
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  pcl::fromROSMsg(message, cloud);
+  pcl::io::savePCDFileBinary(cloud_file.path(), cloud);
+  const std::string command = std::string("'") + PRIMITECT_TOOLS_DIR + "/detect' --json - '" + cloud_file.path() +
+                              "' > '" + report_file.path() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::ifstream stream(report_file.path());
+  const nlohmann::json report = nlohmann::json::parse(stream);
+  return report.is_array() ? report.at(0) : report;
+}
+
+Vec3 vectorOf(const nlohmann::json& json) { return Vec3(json.at(0), json.at(1), json.at(2)); }
+
+/// A number of the message is the float nearest to the double of the report.
+void expectFloat(const nlohmann::json& reported, float number) { EXPECT_EQ(reported.get<float>(), number); }
+
+void expectSame(const nlohmann::json& reported, const Primitive& primitive) {
+  const nlohmann::json& extent = reported.at("extent");
+  const ros_layer::Body body(primitive);
+  EXPECT_EQ(reported.at("type"), kindName(static_cast<Kind>(primitive.type)));
+  EXPECT_EQ(reported.at("inliers"), primitive.inlier_count);
+  expectFloat(reported.at("votes"), primitive.votes);
+  expectFloat(reported.at("rms_error"), primitive.rms_error);
+  EXPECT_EQ(vectorOf(extent.at("origin")), body.origin);
+  if (primitive.type != Primitive::SPHERE) {  // by way of a quaternion
+    EXPECT_LT((vectorOf(extent.at("z_axis")) - body.axis).norm(), 1e-9);
+  }
+  if (primitive.type == Primitive::PLANE) {
+    for (std::size_t i = 0; i < 2; ++i) expectFloat(extent.at("size").at(i), primitive.size[i]);
+    EXPECT_EQ(extent.at("hull").size(), primitive.hull.size());
+  }
+  if (primitive.type == Primitive::SPHERE || primitive.type == Primitive::CYLINDER) {
+    expectFloat(reported.at("radius"), primitive.radius);
+  }
+  if (primitive.type == Primitive::CONE) {
+    EXPECT_EQ(vectorOf(reported.at("apex")), ros_layer::toVec3(primitive.apex));
+    expectFloat(reported.at("half_angle"), primitive.half_angle);
+    expectFloat(extent.at("radius_large"), primitive.radius);
+  }
+  if (extent.contains("length")) expectFloat(extent.at("length"), primitive.size[2]);
+}
+
 class SameResult : public testing::Test {
  protected:
   SameResult() {
@@ -49,6 +116,13 @@ class SameResult : public testing::Test {
       ros::WallDuration(0.01).sleep();
     }
     return condition();
+  }
+
+  bool connected() {
+    return waitFor([&] {
+      return publisher_.getNumSubscribers() == 2 && subscribers_[0].getNumPublishers() == 1 &&
+             subscribers_[1].getNumPublishers() == 1;
+    });
   }
 
   std::vector<float> renderDepth(int frame) const {
@@ -75,9 +149,7 @@ class SameResult : public testing::Test {
 };
 
 TEST_F(SameResult, OfNodeletNodeAndCore) {
-  ASSERT_TRUE(waitFor([&] { return publisher_.getNumSubscribers() == 2; }));
-  ASSERT_TRUE(
-      waitFor([&] { return subscribers_[0].getNumPublishers() == 1 && subscribers_[1].getNumPublishers() == 1; }));
+  ASSERT_TRUE(connected());
   for (std::size_t frame = 0; frame < kFrames; ++frame) {
     const std::vector<float> depth = renderDepth(static_cast<int>(frame));
     std_msgs::Header header;
@@ -92,6 +164,30 @@ TEST_F(SameResult, OfNodeletNodeAndCore) {
     EXPECT_EQ(comparableBytes(answers_["node"][frame]), comparableBytes(expected));
     EXPECT_GT(answers_["node"][frame].processing_time, 0.0f);
   }
+}
+
+TEST_F(SameResult, OfNodeletAndOfflineTool) {
+  ASSERT_TRUE(connected());
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(200, 7);
+  const sensor_msgs::PointCloud2Ptr cloud = ros_layer::depthCloud(header, renderDepth(1), camera_);
+  publisher_.publish(cloud);
+  ASSERT_TRUE(waitFor([&] { return !answers_["nodelet"].empty(); }));
+  const PrimitiveArray& answer = answers_["nodelet"].back();
+  const nlohmann::json report = fromTheTool(*cloud);
+  EXPECT_EQ(report.at("status"), statusName(static_cast<Status>(answer.status)));
+  EXPECT_EQ(report.at("points_in"), answer.points_in);
+  EXPECT_EQ(report.at("points_used"), answer.points_used);
+  EXPECT_EQ(report.at("samples"), answer.samples);
+  ASSERT_EQ(report.at("primitives").size(), answer.primitives.size());
+  std::set<int> kinds;
+  for (std::size_t i = 0; i < answer.primitives.size(); ++i) {
+    SCOPED_TRACE("primitive " + std::to_string(i));
+    expectSame(report.at("primitives").at(i), answer.primitives[i]);
+    kinds.insert(answer.primitives[i].type);
+  }
+  EXPECT_GE(kinds.size(), 3u);  // or the comparison says little
 }
 
 }  // namespace

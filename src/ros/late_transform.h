@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A transform that may arrive a little later than the cloud it belongs to.
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/time.h>
+#include <tf2/buffer_core.h>
+
+#include <string>
+
+namespace primitect::ros_layer {
+
+/// Drivers and localization send the transform of a stamp shortly after the cloud; longer is no jitter (s).
+constexpr double kTransformPatienceSeconds = 0.05;
+
+/// The transform at that stamp; another thread must fill the buffer. Waits by the steady clock, at most for
+/// kTransformPatienceSeconds, so that a simulated time that stands still blocks nothing.
+/// Throws what BufferCore::lookupTransform() throws when there is none by then.
+geometry_msgs::TransformStamped lookupLateTransform(const tf2::BufferCore& transforms, const std::string& target,
+                                                    const std::string& source, const ros::Time& stamp);
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A cloud that is not searched comes with the reason: what was there and what was expected.
+#include "ros/frame_pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cloud_messages.h"
+
+namespace primitect {
+namespace {
+
+using namespace ros_layer;
+using sensor_msgs::PointCloud2;
+
+/// The first `count` of 40 points are a grid at 1 m, the others are far away.
+PointCloud2 measured(std::uint32_t count) {
+  PointCloud2 message = test::plainCloud(8, 5);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    test::put(message, i / 8, i % 8, 8, i < count ? 1.0f + 0.01f * static_cast<float>(i % 3) : 50.0f);
+  }
+  return message;
+}
+
+PointCloud2 missing() {
+  PointCloud2 message = test::plainCloud(4, 3);
+  for (std::uint32_t i = 0; i < 12; ++i) test::put(message, i / 4, i % 4, 8, std::numeric_limits<float>::quiet_NaN());
+  return message;
+}
+
+/// The problem with a cloud, after a check of the status that goes with it.
+std::string problemOf(const PointCloud2& message, std::uint8_t status, const Params& params = Params()) {
+  FramePipeline pipeline(params);
+  pipeline.times().begin();
+  EXPECT_EQ(pipeline.process(message).status, status);
+  return pipeline.problem();
+}
+
+TEST(FramePipeline, SaysWhatACloudWithoutMeasuredPointsLacks) {
+  EXPECT_EQ(problemOf(missing(), PrimitiveArray::EMPTY_INPUT),
+            "0 of 12 points are measured and between min_depth (0.1 m) and max_depth (2.0 m); expected at least 16");
+  EXPECT_NE(problemOf(PointCloud2(), PrimitiveArray::EMPTY_INPUT).find("0 of 0 points"), std::string::npos);
+}
+
+TEST(FramePipeline, SaysWhatTooFewPointsLack) {
+  Params params;
+  params.min_depth = 0.0;
+  params.max_depth = 3.0;
+  EXPECT_EQ(problemOf(measured(15), PrimitiveArray::TOO_FEW_POINTS, params),
+            "15 of 40 points are measured and between min_depth (off) and max_depth (3.0 m); expected at least 16");
+}
+
+TEST(FramePipeline, SearchesTheFewestPointsThatItNames) { EXPECT_EQ(problemOf(measured(16), PrimitiveArray::OK), ""); }
+
+TEST(FramePipeline, SaysThatAllPointsAreInOnePlace) {
+  PointCloud2 message = test::plainCloud(5, 5);
+  for (std::uint32_t i = 0; i < 25; ++i) {
+    for (const std::uint32_t offset : {0, 4, 8}) test::put(message, i / 5, i % 5, offset, 1.0f);
+  }
+  EXPECT_EQ(problemOf(message, PrimitiveArray::TOO_FEW_POINTS), "all 25 measured points are in one place");
+}
+
+TEST(FramePipeline, ForgetsTheProblemOfTheCloudBefore) {
+  FramePipeline pipeline{Params()};
+  pipeline.times().begin();
+  pipeline.process(missing());
+  pipeline.process(measured(40));
+  EXPECT_EQ(pipeline.problem(), "");
+}
+
+}  // namespace
+}  // namespace primitect
