@@ -159,8 +159,9 @@ const Detections& Detector::detect(const Cloud& cloud) {
   Workspace& w = *work_;
   w.begin(cloud);
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
-    if (!w.draw(cloud, round)) break;
+    const bool drawn = w.draw(cloud, round);
     w.done("sample");
+    if (!drawn) break;
     estimateNormals(cloud, w.params, w.neighbors, w.samples);
     w.done("normals");
     w.voting.vote(w.samples, w.result.scene_diameter, w.candidates);

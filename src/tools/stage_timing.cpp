@@ -20,7 +20,7 @@ void addTime(io::Timing& timing, const std::string& stage, double milliseconds) 
 TimedRun timeDetection(Detector& detector, const Cloud& cloud) {
   io::Timing timing;
   Stopwatch total, stage;
-  detector.onStageDone([&](const char* name) { timing.emplace_back(name, stage.lapMs()); });
+  detector.onStageDone([&](const char* name) { addTime(timing, name, stage.lapMs()); });
   total.lapMs();
   stage.lapMs();
   const Detections& found = detector.detect(cloud);
