@@ -86,6 +86,21 @@ inline Cloud cloudOf(const std::vector<SurfacePoint>& points) {
   return cloud;
 }
 
+/// An organized cloud of a pinhole camera (160 x 120, focal length 140 px) that looks at one plane n.p = offset.
+inline Cloud cameraCloud(const Vec3& normal, double offset) {
+  Cloud cloud;
+  cloud.reset(160, 120, false);
+  for (int row = 0; row < 120; ++row) {
+    for (int column = 0; column < 160; ++column) {
+      const Vec3 ray((column - 79.5) / 140.0, (row - 59.5) / 140.0, 1.0);
+      const Vec3 p = ray * (offset / normal.dot(ray));
+      cloud.setPoint(row * 160 + column, static_cast<float>(p.x()), static_cast<float>(p.y()),
+                     static_cast<float>(p.z()), {});
+    }
+  }
+  return cloud;
+}
+
 /// Angle between two lines (rad), signs ignored.
 inline double lineAngle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
 

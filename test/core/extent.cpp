@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of a shape that was seen.
+#include "core/extent.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::patchOf;
+using test::pointOn;
+using test::SurfacePoint;
+
+std::vector<Vec3> pointsOf(const std::vector<SurfacePoint>& points) {
+  std::vector<Vec3> result;
+  for (const SurfacePoint& p : points) result.push_back(p.point);
+  return result;
+}
+
+TEST(Extent, OfARectangleIsItsOutlineSeenFromTheSensor) {
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 10; ++i) {
+    for (int j = 0; j <= 10; ++j) points.push_back({0.1 + 0.06 * i, 0.2 + 0.02 * j, 1.0});
+  }
+  const Extent extent = measureExtent(plane, points);
+  EXPECT_LT((extent.origin - Vec3(0.4, 0.3, 1.0)).norm(), 1e-9);
+  EXPECT_NEAR(extent.size.x(), 0.6, 1e-9);
+  EXPECT_NEAR(extent.size.y(), 0.2, 1e-9);
+  EXPECT_LT((extent.rotation.col(2) - plane.normal).norm(), 1e-12);
+  EXPECT_NEAR(extent.rotation.determinant(), 1.0, 1e-12);
+  ASSERT_EQ(extent.hull.size(), 4u);
+  double area = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) area += 0.5 * extent.hull[k].cross(extent.hull[(k + 1) % 4]).dot(plane.normal);
+  EXPECT_NEAR(area, 0.12, 1e-9);  // positive: counter-clockwise around the normal
+}
+
+TEST(Extent, OfACylinderLiesBetweenItsSeenEnds) {
+  Random random(35);
+  const Cylinder cylinder = {Vec3(0.1, 0.2, 1.0), Vec3(0, -1, 0), 0.05};
+  const Extent extent = measureExtent(cylinder, pointsOf(patchOf(cylinder, 3000, 0.02, 0.14, random)));
+  EXPECT_NEAR(extent.size.z(), 0.12, 0.005);  // 1 % of stragglers at either end
+  EXPECT_LT((extent.origin - Vec3(0.1, 0.12, 1.0)).norm(), 0.003);
+  EXPECT_EQ(extent.radius, 0.05);
+  EXPECT_LT((extent.rotation.col(2) - cylinder.axis).norm(), 1e-12);
+  EXPECT_LT(extent.rotation.col(0).dot(cylinder.point), 0.0);  // x towards the side that was seen
+}
+
+TEST(Extent, OfAConeHasTheRadiiOfItsSeenEnds) {
+  Random random(36);
+  const Cone cone = {Vec3(0, -0.1, 1.0), Vec3(0, 1, 0), std::atan(0.5)};
+  const Extent extent = measureExtent(cone, pointsOf(patchOf(cone, 3000, 0.05, 0.25, random)));
+  EXPECT_NEAR(extent.radius, 0.125, 0.003);
+  EXPECT_NEAR(extent.radius_small, 0.025, 0.003);
+  EXPECT_NEAR(extent.size.z(), 0.2, 0.008);
+}
+
+TEST(Extent, IsNotStretchedByAStraggler) {
+  Random random(37);
+  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
+  std::vector<Vec3> points = pointsOf(patchOf(cylinder, 300, -0.05, 0.05, random));
+  points.push_back(pointOn(cylinder, 3.0, 0.0).point);
+  EXPECT_LT(measureExtent(cylinder, points).size.z(), 0.101);
+}
+
+TEST(Extent, ContainsWhatWasSeenAndNotTheRestOfTheSurface) {
+  Random random(38);
+  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
+  const Extent extent = measureExtent(cylinder, pointsOf(patchOf(cylinder, 300, -0.05, 0.05, random)));
+  EXPECT_TRUE(contains(cylinder, extent, pointOn(cylinder, 0.04, 0.0).point, 0.005));
+  EXPECT_FALSE(contains(cylinder, extent, pointOn(cylinder, 0.07, 0.0).point, 0.005));
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  const Extent patch = measureExtent(plane, pointsOf(patchOf(plane, 300, 0.1, random)));
+  EXPECT_TRUE(contains(plane, patch, Vec3(0, 0, 1), 0.005));
+  EXPECT_FALSE(contains(plane, patch, Vec3(0.2, 0, 1), 0.005));
+}
+
+TEST(Canonical, CylinderAxesPointUpInTheImage) {
+  for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.9, 0.1, 0.3)}) {
+    EXPECT_LT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), axis.normalized(), 1.0})).axis.y(), 0.0);
+  }
+  EXPECT_GT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), -Vec3::UnitX(), 1.0})).axis.x(), 0.0);
+  EXPECT_GT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), -Vec3::UnitZ(), 1.0})).axis.z(), 0.0);
+}
+
+}  // namespace
+}  // namespace primitect

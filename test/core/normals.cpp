@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Normals from the window, from neighbours, from the cloud.
+#include "core/normals.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "core/sampling.h"
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::cameraCloud;
+using test::patchOf;
+
+constexpr double kDegree = M_PI / 180.0;
+
+TEST(WindowNormals, AreExactOnSlantedPlanesAndPointToTheSensor) {
+  for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0.5, 0, 1), Vec3(-0.3, 0.8, 1), Vec3(0.0, 1.5, 1)}) {
+    const Vec3 normal = direction.normalized();
+    const Cloud cloud = cameraCloud(normal, 0.6);
+    const std::optional<Vec3> found = windowNormal(cloud, 60 * 160 + 80, 5);
+    ASSERT_TRUE(found);
+    EXPECT_LT((*found + normal).norm(), 1e-4) << direction.transpose();
+  }
+}
+
+TEST(WindowNormals, AreNotBentByTheSurfaceBehindAnEdge) {
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  for (int row = 0; row < 120; ++row) {
+    for (int column = 83; column < 160; ++column) {
+      const std::size_t i = row * 160 + column;
+      for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= 1.5f;
+    }
+  }
+  const std::optional<Vec3> found = windowNormal(cloud, 60 * 160 + 80, 5);
+  ASSERT_TRUE(found);
+  EXPECT_LT((*found + Vec3::UnitZ()).norm(), 1e-4);
+}
+
+TEST(WindowNormals, AreMissingWhereThePixelStandsAlone) {
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  const std::size_t pixel = 60 * 160 + 80;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (i != pixel) cloud.z[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  EXPECT_FALSE(windowNormal(cloud, pixel, 5));
+}
+
+TEST(WindowNormals, AreRobustAgainstStragglersInTheWindow) {
+  Cloud cloud = cameraCloud(Vec3(0.3, 0, 1).normalized(), 1.0);
+  // One side of the window stands off by 2 cm: within the first pass' reach, beyond the noise.
+  for (int row = 55; row <= 65; ++row) {
+    for (int column = 83; column <= 85; ++column) {
+      const std::size_t i = row * 160 + column;
+      for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= 1.02f;
+    }
+  }
+  const std::optional<Vec3> found = windowNormal(cloud, 60 * 160 + 80, 5);
+  ASSERT_TRUE(found);
+  EXPECT_LT((*found + Vec3(0.3, 0, 1).normalized()).norm(), 1e-3);
+}
+
+TEST(WindowNormals, LookAtAWiderWindowNearby) {
+  // Noise of half a millimetre in a checkerboard; a wider window averages more of it away.
+  const auto errorAt = [](double depth) {
+    Cloud cloud = cameraCloud(Vec3::UnitZ(), depth);
+    Random random(39);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const float factor = 1.0f + 0.002f * static_cast<float>(random.gaussian());
+      for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
+    }
+    Samples samples;
+    drawSamples(cloud, {}, 300, 1, samples);
+    std::unique_ptr<NeighborSearch> neighbors;
+    estimateNormals(cloud, Params(), neighbors, samples);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < samples.size(); ++i) sum += (samples.normal(i) + Vec3::UnitZ()).norm() / 300.0;
+    return sum;
+  };
+  // The noise is a share of the depth, so the angle of a fixed window would be the same at both.
+  EXPECT_LT(2.0 * errorAt(0.7), errorAt(2.0));
+}
+
+TEST(WindowNormals, ReachTheCornersOfTheImage) {
+  const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  for (const std::uint32_t pixel : {0u, 159u, 119u * 160u, 119u * 160u + 159u}) {
+    const std::optional<Vec3> found = windowNormal(cloud, pixel, 5);
+    ASSERT_TRUE(found) << pixel;
+    EXPECT_LT((*found + Vec3::UnitZ()).norm(), 1e-4);
+  }
+}
+
+TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
+  Random random(32);
+  const Sphere sphere = {Vec3(0.1, 0.0, 1.0), 0.3};
+  Cloud cloud = test::cloudOf(patchOf(sphere, 4000, random));
+  cloud.nx.clear();
+  cloud.ny.clear();
+  cloud.nz.clear();
+  Samples samples;
+  drawSamples(cloud, {}, 200, 1, samples);
+  std::unique_ptr<NeighborSearch> neighbors;
+  estimateNormals(cloud, Params(), neighbors, samples);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ASSERT_TRUE(samples.hasNormal(i));
+    const Vec3 truth = normalAt(sphere, samples.point(i));
+    errors.push_back(std::acos(std::min(1.0, truth.dot(samples.normal(i)))));
+  }
+  std::nth_element(errors.begin(), errors.begin() + 100, errors.end());
+  // 41 neighbours of a half sphere of 4000 points span 6 deg either way; their plane is off by a fraction of that.
+  EXPECT_LT(errors[100], 2.0 * kDegree);
+}
+
+TEST(NeighborNormals, OfPointsOnALineOrInOnePlaceAreMissing) {
+  Cloud line;
+  line.reset(20, 1, false);
+  for (std::size_t i = 0; i < 20; ++i) line.setPoint(i, 0.1f * static_cast<float>(i), 0.0f, 1.0f, {});
+  std::vector<std::uint32_t> all(20);
+  for (std::uint32_t i = 0; i < 20; ++i) all[i] = i;
+  EXPECT_FALSE(planeNormal(line, all));
+  for (std::size_t i = 0; i < 20; ++i) line.x[i] = 1.0f;
+  EXPECT_FALSE(planeNormal(line, all));
+}
+
+TEST(CloudNormals, AreKeptOrTurnedTowardsTheSensor) {
+  Cloud cloud = test::cloudOf({{Vec3(0, 0, 1), Vec3(0, 0, 1)}, {Vec3(0, 1, 1), Vec3(0, 0, -1)}});
+  Samples samples = test::samplesOf({{Vec3(0, 0, 1), Vec3::UnitX()}, {Vec3(0, 1, 1), Vec3::UnitX()}});
+  Params params;
+  std::unique_ptr<NeighborSearch> neighbors;
+  params.orient_normals = false;
+  estimateNormals(cloud, params, neighbors, samples);
+  EXPECT_FLOAT_EQ(samples.nz[0], 1.0f);
+  params.orient_normals = true;
+  estimateNormals(cloud, params, neighbors, samples);
+  EXPECT_FLOAT_EQ(samples.nz[0], -1.0f);
+  EXPECT_FLOAT_EQ(samples.nz[1], -1.0f);
+}
+
+TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) {
+    values->assign(cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  }
+  Samples samples;
+  drawSamples(cloud, {}, 50, 1, samples);
+  std::unique_ptr<NeighborSearch> neighbors;
+  estimateNormals(cloud, Params(), neighbors, samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_NEAR(samples.nz[i], -1.0f, 1e-4f);
+}
+
+}  // namespace
+}  // namespace primitect
