@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace primitect {
 namespace {
@@ -58,6 +60,45 @@ Vec3 longestDirection(const std::vector<Vec3>& points, const Vec3& mean, const V
   return direction.x() < 0.0 ? Vec3(-direction) : direction;
 }
 
+/// The points of the part that holds most of them: cells of three mean spacings that touch belong together. Points of
+/// other objects that happen to lie in the plane do not stretch the outline.
+std::vector<Vec2> largestPart(const std::vector<Vec2>& points) {
+  Vec2 low = points.front(), high = points.front();
+  for (const Vec2& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double count = static_cast<double>(points.size());
+  // Spacing of points spread over the box, or along a strip.
+  const double spacing = std::max(std::sqrt((high - low).prod() / count), (high - low).maxCoeff() / count);
+  const double cell = 3.0 * spacing;
+  if (!(cell > 0.0)) return points;
+  const auto cellOf = [&](const Vec2& point) {
+    const Vec2 place = (point - low) / cell;
+    return std::make_pair(static_cast<int>(place.x()), static_cast<int>(place.y()));
+  };
+  std::map<std::pair<int, int>, std::vector<Vec2>> cells;
+  for (const Vec2& point : points) cells[cellOf(point)].push_back(point);
+  std::vector<Vec2> largest;
+  while (!cells.empty()) {
+    std::vector<Vec2> part;
+    std::vector<std::pair<int, int>> open = {cells.begin()->first};
+    while (!open.empty()) {
+      const std::pair<int, int> at = open.back();
+      open.pop_back();
+      const auto found = cells.find(at);
+      if (found == cells.end()) continue;
+      part.insert(part.end(), found->second.begin(), found->second.end());
+      cells.erase(found);
+      for (int dx = -1; dx <= 1; ++dx) {
+        for (int dy = -1; dy <= 1; ++dy) open.emplace_back(at.first + dx, at.second + dy);
+      }
+    }
+    if (part.size() > largest.size()) largest = part;
+  }
+  return largest;
+}
+
 Extent extentOf(const Plane& plane, const std::vector<Vec3>& inliers) {
   Extent extent;
   Vec3 mean = Vec3::Zero();
@@ -66,6 +107,7 @@ Extent extentOf(const Plane& plane, const std::vector<Vec3>& inliers) {
   extent.rotation = frameAround(plane.normal, longestDirection(inliers, mean, plane.normal));
   std::vector<Vec2> flat;
   for (const Vec3& inlier : inliers) flat.push_back((extent.rotation.transpose() * (inlier - mean)).head<2>());
+  flat = largestPart(flat);
   Vec2 low = flat.front(), high = flat.front();
   for (const Vec2& point : flat) {
     low = low.cwiseMin(point);

@@ -69,6 +69,24 @@ TEST(Extent, IsNotStretchedByAStraggler) {
   EXPECT_LT(measureExtent(cylinder, points).size.z(), 0.101);
 }
 
+TEST(Extent, OfAPlaneLeavesOutWhatLiesElsewhereInIt) {
+  Random random(39);
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  std::vector<Vec3> points = pointsOf(patchOf(plane, 80, 0.08, random));
+  points.push_back(Vec3(0.45, 0.1, 1.0));
+  points.push_back(Vec3(0.46, 0.1, 1.0));
+  const Extent extent = measureExtent(plane, points);
+  EXPECT_LT(extent.size.head<2>().norm(), 0.16 * 1.5);
+  for (const Vec3& corner : extent.hull) EXPECT_LT(corner.norm(), 1.1);
+}
+
+TEST(Extent, OfAThinStripIsTheWholeStrip) {
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 100; ++i) points.push_back({0.01 * i, 0.0, 1.0});
+  EXPECT_NEAR(measureExtent(plane, points).size.x(), 1.0, 1e-9);
+}
+
 TEST(Extent, ContainsWhatWasSeenAndNotTheRestOfTheSurface) {
   Random random(38);
   const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
