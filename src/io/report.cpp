@@ -6,36 +6,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/shape_json.h"
+
 namespace primitect::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vectorJson(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
 Json knownOrNull(float value) { return value == kUnknown ? Json(nullptr) : Json(value); }
-
-void addShape(Json& json, const Plane& plane) {
-  json["point"] = vectorJson(plane.point);
-  json["normal"] = vectorJson(plane.normal);
-}
-
-void addShape(Json& json, const Sphere& sphere) {
-  json["center"] = vectorJson(sphere.center);
-  json["radius"] = sphere.radius;
-}
-
-void addShape(Json& json, const Cylinder& cylinder) {
-  json["point"] = vectorJson(cylinder.point);
-  json["axis"] = vectorJson(cylinder.axis);
-  json["radius"] = cylinder.radius;
-}
-
-void addShape(Json& json, const Cone& cone) {
-  json["apex"] = vectorJson(cone.apex);
-  json["axis"] = vectorJson(cone.axis);
-  json["half_angle"] = cone.half_angle;
-}
 
 /// The keys that mean something for the kind.
 Json extentJson(const Detection& detection) {
@@ -70,9 +48,7 @@ Json truncatedJson(std::uint8_t truncated) {
 }
 
 Json primitiveJson(const Detection& detection) {
-  Json json;
-  json["type"] = kindName(kindOf(detection.shape));
-  std::visit([&json](const auto& shape) { addShape(json, shape); }, detection.shape);
+  Json json = shapeJson(detection.shape);
   json["inliers"] = detection.inlier_count;
   json["votes"] = detection.votes;
   json["rms_error"] = knownOrNull(detection.rms_error);

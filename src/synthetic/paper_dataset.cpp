@@ -3,7 +3,6 @@
 // The synthetic data set of the paper: draw the shapes, render, drop the small ones, render again, add noise.
 #include "synthetic/paper_dataset.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -11,8 +10,8 @@
 #include <stdexcept>
 
 #include "core/random.h"
-#include "synthetic/neighbor_grid.h"
 #include "synthetic/paper_objects.h"
+#include "synthetic/pca_normals.h"
 
 namespace primitect::synthetic {
 namespace {
@@ -20,7 +19,6 @@ namespace {
 constexpr int kGridSize = 401;
 constexpr double kGridStep = 0.01;  // m
 constexpr double kMinShare = 0.02;  // an object that owns less of the points is dropped
-constexpr std::size_t kNormalNeighbors = 41;
 
 /// How many of each kind are drawn, before small ones are dropped.
 struct Counts {
@@ -93,31 +91,6 @@ void disturb(Rendering& seen, std::vector<int>& surface, double sigma, double ou
   }
 }
 
-Vec3 normalByPca(const Cloud& cloud, const std::vector<std::uint32_t>& neighbors) {
-  Vec3 mean = Vec3::Zero();
-  for (const std::uint32_t j : neighbors) mean += Vec3(cloud.x[j], cloud.y[j], cloud.z[j]);
-  mean /= static_cast<double>(neighbors.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const std::uint32_t j : neighbors) {
-    const Vec3 offset = Vec3(cloud.x[j], cloud.y[j], cloud.z[j]) - mean;
-    covariance.noalias() += offset * offset.transpose();
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  return solver.eigenvectors().col(0);
-}
-
-void estimateNormals(Cloud& cloud, const std::vector<Vec3>& noiseless) {
-  NeighborGrid grid(cloud, static_cast<float>(kGridStep));
-  std::vector<std::uint32_t> neighbors;
-  for (const std::uint32_t i : grid.order()) {
-    grid.nearest(i, kNormalNeighbors, neighbors);
-    Vec3 normal = normalByPca(cloud, neighbors);
-    if (normal.dot(noiseless[i]) < 0.0) normal = -normal;
-    cloud.setNormal(i, static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z()));
-  }
-}
-
 Cloud toCloud(const Rendering& seen) {
   Cloud cloud;
   cloud.reset(static_cast<std::uint32_t>(seen.points.size()), 1, true);
@@ -169,7 +142,7 @@ PaperScene makePaperScene(SceneKind kind, std::uint64_t seed, double sigma, doub
   for (int& surface : scene.surface) surface -= hidden;
   disturb(seen, scene.surface, sigma, outlier_share, random);
   scene.cloud = toCloud(seen);
-  estimateNormals(scene.cloud, normals);
+  estimateNormals(scene.cloud, kGridStep, normals);
   return scene;
 }
 

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "synthetic/intersections.h"
+#include "synthetic/intersections_hollow.h"
+#include "synthetic/intersections_traced.h"
 
 namespace primitect::synthetic {
 namespace {
@@ -19,8 +21,8 @@ struct PixelBox {
 
 PixelBox wholeImage(const PinholeCamera& camera) { return {0, camera.width, 0, camera.height}; }
 
-/// The pixels that can see the body: the projection of a convex body lies within that of its box's corners, provided
-/// that all of them are in front of the camera.
+/// The pixels that can see the body: the projection of a body lies within that of its box's corners, provided that
+/// all of them are in front of the camera.
 PixelBox pixelBoxOf(const Body& body, const Eigen::Isometry3d& camera_from_body, const PinholeCamera& camera) {
   constexpr double kNear = 1e-3;
   Eigen::AlignedBox2d covered;

@@ -10,6 +10,7 @@
 #include "core/random.h"
 #include "synthetic/camera.h"
 #include "synthetic/raycast.h"
+#include "synthetic/scene_layout.h"
 #include "synthetic/tabletop_objects.h"
 
 namespace primitect::synthetic {
@@ -18,11 +19,6 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
 
-struct Place {
-  Eigen::Vector2d center;
-  double yaw;
-};
-
 Place drawPlace(Random& random) {
   // An ellipse that the camera sees as a whole: 0.8 m to the sides, 0.6 m in depth.
   const double angle = random.uniform(0.0, 2.0 * kPi);
@@ -30,36 +26,15 @@ Place drawPlace(Random& random) {
   return {{0.30 * reach * std::cos(angle), 0.40 * reach * std::sin(angle)}, random.uniform(0.0, 2.0 * kPi)};
 }
 
-/// Points along the middle line of the stadium, dense enough for kGap.
-std::vector<Eigen::Vector2d> middleLine(const Object& object, const Place& place) {
-  const Eigen::Vector2d direction(std::cos(place.yaw), std::sin(place.yaw));
-  const int steps = object.half_line > 0.0 ? 12 : 0;
-  std::vector<Eigen::Vector2d> points{place.center};
-  for (int i = 0; i <= steps && steps > 0; ++i) {
-    points.push_back(place.center + direction * object.half_line * (2.0 * i / steps - 1.0));
-  }
-  return points;
-}
-
-bool apart(const Object& a, const Place& place_a, const Object& b, const Place& place_b) {
-  constexpr double kGap = 0.020;
-  const double least = a.radius + b.radius + kGap;
-  for (const Eigen::Vector2d& point_a : middleLine(a, place_a)) {
-    for (const Eigen::Vector2d& point_b : middleLine(b, place_b)) {
-      if ((point_a - point_b).squaredNorm() < least * least) return false;
-    }
-  }
-  return true;
-}
-
 /// A place for objects[places.size()] apart from the ones placed before it, or none.
 std::optional<Place> freePlace(const std::vector<Object>& objects, const std::vector<Place>& places, Random& random) {
   constexpr int kTries = 60;
+  constexpr double kGap = 0.020;
   for (int attempt = 0; attempt < kTries; ++attempt) {
     const Place place = drawPlace(random);
     bool is_free = true;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      is_free = is_free && apart(objects[i], places[i], objects[places.size()], place);
+      is_free = is_free && apart(objects[i], places[i], objects[places.size()], place, kGap);
     }
     if (is_free) return place;
   }
@@ -86,15 +61,6 @@ World emptyRoom() {
   world.add("table", Box{0.65, 0.75, kThickness / 2},
             Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
   return world;
-}
-
-Eigen::Isometry3d lookAt(const Vec3& eye, const Vec3& target) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = eye;
-  pose.linear().col(2) = (target - eye).normalized();
-  pose.linear().col(0) = pose.linear().col(2).cross(Vec3::UnitZ()).normalized();
-  pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
-  return pose;
 }
 
 constexpr double kYawSwing = 20.0 * kDegree;

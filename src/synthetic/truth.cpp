@@ -164,7 +164,9 @@ Detections truthOf(const World& world, const PinholeCamera& camera, const Eigen:
   if (surface_of_item) surface_of_item->clear();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (all_seen[i].pixels == 0 || all_seen[i].pixels < params.min_pixels) continue;
+    if (!world.surfaces()[i].primitive) continue;
     truth.items.push_back(describe(shapes[i], camera, all_seen[i]));
+    truth.items.back().concave = world.surfaces()[i].concave;
     if (surface_of_item) surface_of_item->push_back(static_cast<int>(i));
   }
   return truth;

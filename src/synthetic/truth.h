@@ -21,6 +21,7 @@ struct TruthParams {
 };
 
 /// One detection for each surface with enough visible pixels, in the order of their index, in the camera's frame.
+/// Surfaces that are no primitive are left out, though their pixels count as points used.
 /// Plane normals point to the sensor, cone axes from the apex into the body. The extent is that of the visible part
 /// within the range; for planes the smallest rectangle around the hull, x along its longer side. inlier_count
 /// is the number of visible pixels, confidence 1, rms_error 0. Missing pixels (NaN) in the rendering do not count.

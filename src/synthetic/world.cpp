@@ -13,15 +13,22 @@ constexpr double kHalfPi = 1.57079632679489661923;
 
 /// Surfaces and bounding box of a solid in its own frame.
 struct Parts {
-  std::vector<Shape> shapes;
+  std::vector<Surface> surfaces;
   Vec3 corner_min, corner_max;
+
+  void convex(const Shape& shape) { surfaces.push_back({shape, 0, false, true}); }
+  void concave(const Shape& shape) { surfaces.push_back({shape, 0, true, true}); }
+  void shapeless() { surfaces.push_back({Plane{}, 0, false, false}); }
+  /// Planes across z, with the normal up or down.
+  void faceUp(double z) { convex(Plane{z * Vec3::UnitZ(), Vec3::UnitZ()}); }
+  void faceDown(double z) { convex(Plane{z * Vec3::UnitZ(), -Vec3::UnitZ()}); }
 };
 
 Parts symmetricParts(const Vec3& half_size) { return {{}, -half_size, half_size}; }
 
 Parts partsOf(const Sheet& sheet) {
   Parts parts = symmetricParts({sheet.half_x, sheet.half_y, 0.0});
-  parts.shapes.push_back(Plane{Vec3::Zero(), Vec3::UnitZ()});
+  parts.convex(Plane{Vec3::Zero(), Vec3::UnitZ()});
   return parts;
 }
 
@@ -30,7 +37,7 @@ Parts partsOf(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       const Vec3 normal = side * Vec3::Unit(axis);
-      parts.shapes.push_back(Plane{normal * parts.corner_max[axis], normal});
+      parts.convex(Plane{normal * parts.corner_max[axis], normal});
     }
   }
   return parts;
@@ -38,26 +45,72 @@ Parts partsOf(const Box& box) {
 
 Parts partsOf(const Ball& ball) {
   Parts parts = symmetricParts(Vec3::Constant(ball.radius));
-  parts.shapes.push_back(Sphere{Vec3::Zero(), ball.radius});
+  parts.convex(Sphere{Vec3::Zero(), ball.radius});
   return parts;
 }
 
 Parts partsOf(const Rod& rod) {
   Parts parts = symmetricParts({rod.radius, rod.radius, rod.half_length});
-  parts.shapes.push_back(Cylinder{Vec3::Zero(), Vec3::UnitZ(), rod.radius});
-  parts.shapes.push_back(Plane{-rod.half_length * Vec3::UnitZ(), -Vec3::UnitZ()});
-  parts.shapes.push_back(Plane{rod.half_length * Vec3::UnitZ(), Vec3::UnitZ()});
+  parts.convex(Cylinder{Vec3::Zero(), Vec3::UnitZ(), rod.radius});
+  parts.faceDown(-rod.half_length);
+  parts.faceUp(rod.half_length);
   return parts;
 }
 
 Parts partsOf(const Frustum& frustum) {
   const double radius = frustum.end * std::tan(frustum.half_angle);
   Parts parts{{}, Vec3(-radius, -radius, frustum.begin), Vec3(radius, radius, frustum.end)};
-  parts.shapes.push_back(Cone{Vec3::Zero(), Vec3::UnitZ(), frustum.half_angle});
-  parts.shapes.push_back(Plane{frustum.end * Vec3::UnitZ(), Vec3::UnitZ()});
-  if (frustum.begin > 0.0) parts.shapes.push_back(Plane{frustum.begin * Vec3::UnitZ(), -Vec3::UnitZ()});
+  parts.convex(Cone{Vec3::Zero(), Vec3::UnitZ(), frustum.half_angle});
+  parts.faceUp(frustum.end);
+  if (frustum.begin > 0.0) parts.faceDown(frustum.begin);
   return parts;
 }
+
+Parts partsOf(const Cup& cup) {
+  Parts parts = symmetricParts({cup.radius, cup.radius, cup.half_length});
+  parts.convex(Cylinder{Vec3::Zero(), Vec3::UnitZ(), cup.radius});
+  parts.faceDown(-cup.half_length);
+  parts.faceUp(cup.half_length);
+  parts.concave(Cylinder{Vec3::Zero(), Vec3::UnitZ(), cup.inner_radius});
+  parts.faceUp(cup.base - cup.half_length);
+  return parts;
+}
+
+Parts partsOf(const Pot& pot) {
+  const double radius = pot.end * std::tan(pot.half_angle);
+  Parts parts{{}, Vec3(-radius, -radius, pot.begin), Vec3(radius, radius, pot.end)};
+  parts.convex(Cone{Vec3::Zero(), Vec3::UnitZ(), pot.half_angle});
+  parts.faceDown(pot.begin);
+  parts.faceUp(pot.end);
+  parts.concave(Cone{pot.innerApex() * Vec3::UnitZ(), Vec3::UnitZ(), pot.half_angle});
+  parts.faceUp(pot.floor);
+  return parts;
+}
+
+Parts partsOf(const Bowl& bowl) {
+  const double widest = bowl.rim >= 0.0 ? bowl.radius : std::sqrt(bowl.radius * bowl.radius - bowl.rim * bowl.rim);
+  Parts parts{{}, Vec3(-widest, -widest, bowl.foot), Vec3(widest, widest, bowl.rim)};
+  parts.convex(Sphere{Vec3::Zero(), bowl.radius});
+  parts.concave(Sphere{Vec3::Zero(), bowl.inner_radius});
+  parts.faceUp(bowl.rim);
+  parts.faceDown(bowl.foot);
+  return parts;
+}
+
+Parts shapelessParts(const Vec3& half_size) {
+  Parts parts = symmetricParts(half_size);
+  parts.shapeless();
+  return parts;
+}
+
+Parts partsOf(const Ellipsoid& e) { return shapelessParts({e.half_x, e.half_y, e.half_z}); }
+
+Parts partsOf(const Torus& torus) {
+  const double reach = torus.ring_radius + torus.tube_radius;
+  return shapelessParts({reach, reach, torus.tube_radius});
+}
+
+Parts partsOf(const Lump& lump) { return shapelessParts(Vec3::Constant(lump.radius * (1.0 + lump.bump))); }
 
 /// Written so that NaN and infinity fail.
 bool isLength(double value) { return value > 0.0 && std::isfinite(value); }
@@ -68,6 +121,25 @@ bool isPossible(const Ball& b) { return isLength(b.radius); }
 bool isPossible(const Rod& r) { return isLength(r.radius) && isLength(r.half_length); }
 bool isPossible(const Frustum& f) {
   return f.half_angle > 0.0 && f.half_angle < kHalfPi && f.begin >= 0.0 && f.begin < f.end && isLength(f.end);
+}
+bool isPossible(const Cup& c) {
+  return isLength(c.inner_radius) && c.inner_radius < c.radius && isLength(c.radius) && isLength(c.half_length) &&
+         c.base > 0.0 && c.base < 2.0 * c.half_length;
+}
+bool isPossible(const Pot& p) {
+  return isPossible(Frustum{p.half_angle, p.begin, p.end}) && p.begin > 0.0 && p.wall > 0.0 && p.floor > p.begin &&
+         p.floor > p.innerApex() && p.floor < p.end;
+}
+bool isPossible(const Bowl& b) {
+  return isLength(b.inner_radius) && b.inner_radius < b.radius && isLength(b.radius) &&
+         std::abs(b.rim) < b.inner_radius && b.foot > -b.radius && b.foot < -b.inner_radius;
+}
+bool isPossible(const Ellipsoid& e) { return isLength(e.half_x) && isLength(e.half_y) && isLength(e.half_z); }
+bool isPossible(const Torus& t) {
+  return isLength(t.ring_radius) && t.tube_radius > 0.0 && t.tube_radius < t.ring_radius;
+}
+bool isPossible(const Lump& l) {
+  return isLength(l.radius) && l.bump > 0.0 && l.bump <= 0.3 && isLength(l.frequency) && std::isfinite(l.phase);
 }
 
 struct Transform {
@@ -83,13 +155,22 @@ struct Transform {
 
 }  // namespace
 
+double Pot::innerApex() const { return wall / std::sin(half_angle); }
+
+double Lump::reach(const Vec3& d) const {
+  const double waves = std::sin(frequency * d.x() + phase) + std::sin(frequency * d.y() + 2.0 * phase) +
+                       std::sin(frequency * d.z() + 3.0 * phase);
+  return radius * (1.0 + bump * waves / 3.0);
+}
+
 Shape transformed(const Eigen::Isometry3d& target_from_source, const Shape& shape) {
   return std::visit(Transform{target_from_source}, shape);
 }
 
 int World::add(const std::string& name, const Solid& solid, const Eigen::Isometry3d& world_from_body) {
   if (!std::visit([](const auto& s) { return isPossible(s); }, solid)) {
-    throw std::invalid_argument("body '" + name + "': lengths must be above 0 m, angles between 0 and 90 deg");
+    throw std::invalid_argument("body '" + name +
+                                "': lengths must be above 0 m, angles between 0 and 90 deg, with room inside of walls");
   }
   const Parts parts = std::visit([](const auto& s) { return partsOf(s); }, solid);
   const int index = static_cast<int>(bodies_.size());
@@ -97,10 +178,14 @@ int World::add(const std::string& name, const Solid& solid, const Eigen::Isometr
             solid,
             world_from_body,
             static_cast<int>(surfaces_.size()),
-            static_cast<int>(parts.shapes.size()),
+            static_cast<int>(parts.surfaces.size()),
             parts.corner_min,
             parts.corner_max};
-  for (const Shape& shape : parts.shapes) surfaces_.push_back({transformed(world_from_body, shape), index});
+  for (Surface surface : parts.surfaces) {
+    surface.shape = transformed(world_from_body, surface.shape);
+    surface.body = index;
+    surfaces_.push_back(std::move(surface));
+  }
   bodies_.push_back(std::move(body));
   return index;
 }

@@ -40,7 +40,47 @@ struct Frustum {
   double half_angle, begin, end;
 };
 
-using Solid = std::variant<Sheet, Box, Ball, Rod, Frustum>;
+/// Cup along z around the origin, open at +z: a rod with a bore that ends base above the bottom.
+/// Surfaces: outer mantle, bottom, rim, inner mantle (concave), inside bottom.
+struct Cup {
+  double radius, inner_radius, half_length, base;
+};
+
+/// Conical cup, open at the wide end: a frustum along +z from begin to end with a cone of the same half angle, moved
+/// by the wall (across the mantle), taken out from floor to end.
+/// Surfaces: outer mantle, bottom at begin, rim at end, inner mantle (concave), inside bottom at floor.
+struct Pot {
+  double half_angle, begin, end, wall, floor;
+  /// Height of the apex of the inner cone.
+  double innerApex() const;
+};
+
+/// Spherical shell around the origin, open at +z: cut off at z = rim, and below to stand on a disc at z = foot, which
+/// is within the shell: -radius < foot < -inner_radius. Surfaces: outside, inside (concave), rim, foot.
+struct Bowl {
+  double radius, inner_radius, rim, foot;
+};
+
+/// The following are none of the four kinds: their surface has no shape.
+
+/// Surface: 0.
+struct Ellipsoid {
+  double half_x, half_y, half_z;
+};
+
+/// Ring around z. Surface: 0.
+struct Torus {
+  double ring_radius, tube_radius;
+};
+
+/// A ball with bumps: in the direction d it reaches to radius * (1 + bump * waves(d)), waves within [-1, 1] the mean of
+/// three sines along x, y and z. Surface: 0.
+struct Lump {
+  double radius, bump, frequency, phase;  ///< bump in (0, 0.3], frequency in rad per unit of d, phase in rad
+  double reach(const Vec3& direction) const;
+};
+
+using Solid = std::variant<Sheet, Box, Ball, Rod, Frustum, Cup, Pot, Bowl, Ellipsoid, Torus, Lump>;
 
 struct Body {
   std::string name;
@@ -51,10 +91,12 @@ struct Body {
   Vec3 corner_min, corner_max;  ///< bounding box in the body's frame (m)
 };
 
-/// One face of a body; normals point out of the body.
+/// One face of a body; normals of shapes point out of the body unless it is concave.
 struct Surface {
-  Shape shape;  ///< in the world frame
-  int body;     ///< index in World::bodies()
+  Shape shape;            ///< in the world frame; says nothing when primitive is false
+  int body = 0;           ///< index in World::bodies()
+  bool concave = false;   ///< the body is around the shape, not in it: normalAt(shape) points into the body
+  bool primitive = true;  ///< false: a surface that is none of the four kinds
 };
 
 /// The same shape in another frame.
@@ -63,8 +105,8 @@ Shape transformed(const Eigen::Isometry3d& target_from_source, const Shape& shap
 /// Bodies and their surfaces; the index of a surface is its label in rendered images.
 class World {
  public:
-  /// Adds a body and returns its index. Throws std::invalid_argument naming the body when a length is not positive
-  /// or an angle is not in (0, 90) deg.
+  /// Adds a body and returns its index. Throws std::invalid_argument naming the body when a length is not positive,
+  /// an angle is not in (0, 90) deg, or a wall leaves no room inside.
   int add(const std::string& name, const Solid& solid, const Eigen::Isometry3d& world_from_body);
 
   const std::vector<Body>& bodies() const& { return bodies_; }

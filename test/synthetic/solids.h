@@ -25,6 +25,24 @@ struct Contains {
   bool operator()(const Frustum& f) const {
     return p.z() > f.begin && p.z() < f.end && std::atan2(radial(), p.z()) < f.half_angle;
   }
+  bool operator()(const Cup& c) const {
+    const bool hollow = radial() <= c.inner_radius && p.z() >= c.base - c.half_length;
+    return (*this)(Rod{c.radius, c.half_length}) && !hollow;
+  }
+  bool operator()(const Pot& c) const {
+    // Across the mantle, seen from the apex of the outer cone, the wall begins at this distance from the inner one.
+    const double depth = p.z() * std::sin(c.half_angle) - radial() * std::cos(c.half_angle);
+    return (*this)(Frustum{c.half_angle, c.begin, c.end}) && (depth < c.wall || p.z() < c.floor);
+  }
+  bool operator()(const Bowl& b) const {
+    return p.norm() < b.radius && p.norm() > b.inner_radius && p.z() < b.rim && p.z() > b.foot;
+  }
+  bool operator()(const Ellipsoid& e) const { return p.cwiseQuotient(Vec3(e.half_x, e.half_y, e.half_z)).norm() < 1.0; }
+  bool operator()(const Torus& t) const {
+    const Vec3 on_ring = t.ring_radius * Vec3(p.x(), p.y(), 0.0).normalized();
+    return (p - on_ring).norm() < t.tube_radius;
+  }
+  bool operator()(const Lump& l) const { return p.norm() < l.reach(p.normalized()); }
 };
 
 inline bool contains(const Body& body, const Vec3& p_world) {
@@ -50,6 +68,24 @@ struct LowestPoint {
   double operator()(const Frustum& f) const {
     const double slope = std::tan(f.half_angle);
     return std::min(discBelow(f.begin, f.begin * slope), discBelow(f.end, f.end * slope));
+  }
+  double operator()(const Cup& c) const { return (*this)(Rod{c.radius, c.half_length}); }
+  double operator()(const Pot& p) const { return (*this)(Frustum{p.half_angle, p.begin, p.end}); }
+  /// Of an upright one.
+  double operator()(const Bowl& b) const { return pose.translation().z() + b.foot; }
+  double operator()(const Ellipsoid& e) const {
+    const Vec3 down = pose.linear().row(2);
+    return pose.translation().z() - down.cwiseProduct(Vec3(e.half_x, e.half_y, e.half_z)).norm();
+  }
+  double operator()(const Torus& t) const { return discBelow(0.0, t.ring_radius) - t.tube_radius; }
+  double operator()(const Lump& l) const {
+    double depth = 0.0;
+    Random random(1);
+    for (int i = 0; i < 20000; ++i) {
+      const Vec3 d = Vec3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+      depth = std::max(depth, -(pose.linear() * d).z() * l.reach(d));
+    }
+    return pose.translation().z() - depth;
   }
 };
 

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The data sets by name and the variants that they share; see data_sets.h.
+#include "eval/data_sets.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/random.h"
+#include "eval/tabletop_frames.h"
+#include "synthetic/mechanical_part.h"
+#include "synthetic/paper_dataset.h"
+
+namespace primitect::eval {
+namespace {
+
+using synthetic::kSceneKindCount;
+using synthetic::SceneKind;
+
+const std::string kPaper = "paper-", kConcave = "concave-";
+
+bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+Vec3 mirrored(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
+
+Shape mirrored(const Plane& s) { return Plane{mirrored(s.point), -mirrored(s.normal)}; }
+Shape mirrored(const Sphere& s) { return Sphere{mirrored(s.center), s.radius}; }
+Shape mirrored(const Cylinder& s) { return Cylinder{mirrored(s.point), mirrored(s.axis), s.radius}; }
+Shape mirrored(const Cone& s) { return Cone{mirrored(s.apex), mirrored(s.axis), s.half_angle}; }
+
+/// Every hill becomes a hollow: z -> -z, and the normals look up again, out of the material.
+void turnInsideOut(LabelledCloud& result) {
+  for (std::size_t i = 0; i < result.cloud.size(); ++i) {
+    result.cloud.z[i] = -result.cloud.z[i];
+    result.cloud.nx[i] = -result.cloud.nx[i];
+    result.cloud.ny[i] = -result.cloud.ny[i];
+  }
+  for (TrueShape& truth : result.truth) {
+    truth.shape = std::visit([](const auto& shape) { return mirrored(shape); }, truth.shape);
+    truth.concave = kindOf(truth.shape) != Kind::plane;
+  }
+}
+
+LabelledCloud paperScene(const Recipe& recipe, SceneKind kind) {
+  synthetic::PaperScene scene = makePaperScene(kind, recipe.seed, recipe.sigma, recipe.outliers);
+  LabelledCloud result;
+  for (const Shape& shape : scene.truth) result.truth.push_back({shape});
+  result.cloud = std::move(scene.cloud);
+  result.surface = std::move(scene.surface);
+  if (recipe.sigma > 0.0) result.unit = recipe.sigma;
+  return result;
+}
+
+/// Points and normals of the true shapes: the noise is wider than some walls, and on a chamfer a few points wide the
+/// normals of a neighbourhood are all wrong.
+void takeNoiseAway(Cloud& scored, const std::vector<TrueShape>& truth, const std::vector<int>& surface) {
+  for (std::size_t i = 0; i < scored.size(); ++i) {
+    if (surface[i] < 0) continue;
+    const Shape& shape = truth[surface[i]].shape;
+    const Vec3 point = project(shape, Vec3(scored.x[i], scored.y[i], scored.z[i]));
+    const Eigen::Vector3f p = point.cast<float>(), normal = normalAt(shape, point).cast<float>();
+    scored.x[i] = p.x(), scored.y[i] = p.y(), scored.z[i] = p.z();
+    scored.setNormal(i, normal.x(), normal.y(), normal.z());
+  }
+}
+
+LabelledCloud mechanicalPart(const Recipe& recipe) {
+  synthetic::MechanicalPart part = synthetic::makeMechanicalPart(recipe.seed, recipe.sigma);
+  LabelledCloud result;
+  for (std::size_t t = 0; t < part.truth.size(); ++t) result.truth.push_back({part.truth[t], part.concave[t]});
+  result.cloud = std::move(part.cloud);
+  result.surface = std::move(part.surface);
+  result.scored = result.cloud;
+  takeNoiseAway(result.scored, result.truth, result.surface);
+  if (recipe.sigma > 0.0) result.unit = recipe.sigma;
+  return result;
+}
+
+LabelledCloud withoutVariants(const Recipe& recipe) {
+  if (recipe.set == "tabletop") return tabletopFrame(recipe);
+  if (recipe.set == "parts") return mechanicalPart(recipe);
+  for (std::size_t k = 0; k < kSceneKindCount; ++k) {
+    const SceneKind kind = static_cast<SceneKind>(k);
+    if (recipe.set == kPaper + synthetic::sceneKindName(kind)) return paperScene(recipe, kind);
+    if (recipe.set != kConcave + synthetic::sceneKindName(kind)) continue;
+    LabelledCloud result = paperScene(recipe, kind);
+    turnInsideOut(result);
+    return result;
+  }
+  std::string known;
+  for (const std::string& name : dataSetNames()) known += " " + name;
+  throw std::invalid_argument("data set '" + recipe.set + "': must be one of" + known);
+}
+
+void keepOnly(const std::vector<std::size_t>& kept, std::vector<float>& values) {
+  if (values.empty()) return;
+  for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[kept[k]];
+  values.resize(kept.size());
+}
+
+/// Takes points out of an unorganized cloud; those of an organized cloud go missing. Normals stay those of all points:
+/// what is looked at is the sampling.
+void thinOut(Cloud& cloud, double keep, Random random) {
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (random.uniform() < keep) {
+      kept.push_back(i);
+      continue;
+    }
+    cloud.valid_count -= cloud.valid(i) ? 1 : 0;
+    cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
+  }
+  if (cloud.organized()) return;
+  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z, &cloud.nx, &cloud.ny, &cloud.nz}) {
+    keepOnly(kept, *values);
+  }
+  cloud.width = static_cast<std::uint32_t>(kept.size());
+}
+
+/// Throws for a value that the sets themselves do not look at.
+void checkRecipe(const Recipe& recipe) {
+  const auto check = [](bool fine, const char* name, double value, const char* range) {
+    if (!fine) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be in " + range);
+  };
+  check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
+  check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
+  const bool has_outliers = startsWith(recipe.set, kPaper) || startsWith(recipe.set, kConcave);
+  check(has_outliers || recipe.outliers == 0.0, ("outliers of " + recipe.set).c_str(), recipe.outliers, "0 to 0");
+}
+
+}  // namespace
+
+std::vector<std::string> dataSetNames() {
+  std::vector<std::string> names;
+  for (const std::string& family : {kPaper, kConcave}) {
+    for (std::size_t k = 0; k < kSceneKindCount; ++k) {
+      const SceneKind kind = static_cast<SceneKind>(k);
+      // Planes have no inside.
+      if (family == kPaper || kind != SceneKind::planes) names.push_back(family + synthetic::sceneKindName(kind));
+    }
+  }
+  names.push_back("tabletop");
+  names.push_back("parts");
+  return names;
+}
+
+LabelledCloud makeLabelledCloud(const Recipe& recipe) {
+  checkRecipe(recipe);
+  LabelledCloud result = withoutVariants(recipe);
+  result.recipe = recipe;
+  // Depth frames and parts bring their own.
+  if (result.scored.size() == 0) result.scored = result.cloud;
+  // Other numbers than those that made the scene.
+  if (recipe.keep < 1.0) thinOut(result.cloud, recipe.keep, Random(recipe.seed ^ 0x7468696eU));
+  return result;
+}
+
+}  // namespace primitect::eval

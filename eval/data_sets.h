@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Labelled clouds from recipes; nothing is read from files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/labelled_cloud.h"
+
+namespace primitect::eval {
+
+/// "paper-spheres", "-cylinders", "-cones", "-planes", "-mixed": the paper's data set, 160,801 points with normals.
+/// "concave-...": the same scenes turned inside out, z -> -z, so that every object is a cavity seen from inside.
+/// "tabletop": a cluttered table as a depth camera sees it, 640 x 480, without normals; scored without noise.
+/// "parts": mechanical parts, 8096 points from all sides, with normals; scored without noise.
+std::vector<std::string> dataSetNames();
+
+/// The same recipe gives the same cloud. Outliers and sigma are for the unorganized sets, noise_scale for tabletop.
+/// Throws std::invalid_argument naming the value and its range.
+LabelledCloud makeLabelledCloud(const Recipe& recipe);
+
+}  // namespace primitect::eval

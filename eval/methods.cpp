@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Our detector's configurations as methods; see methods.h.
+#include "eval/methods.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "eval/peers/peers.h"
+#include "primitect/detector.h"
+
+namespace primitect::eval {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// The paper's ablations: Drost*, and one feature switched off in turn.
+const std::map<std::string, std::string> kNamed = {{"default", "preset:default"},
+                                                   {"paper", "preset:paper"},
+                                                   {"b", "preset:drost"},
+                                                   {"c", "preset:paper,clustering=nms"},
+                                                   {"d", "preset:paper,average_bins=false"},
+                                                   {"e", "preset:paper,spread_votes=false"}};
+
+/// One configuration, set up for depth frames and for scenes that are neither cut in depth nor seen from the origin.
+struct Contestant {
+  Detector for_frames, for_scenes;
+};
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Detector detectorWith(const std::string& preset, const Settings& settings) {
+  Params params = presetParams(preset);
+  for (const auto& [name, value] : settings) setParamFromText(params, name, value);
+  return Detector(params);
+}
+
+/// "preset:NAME,parameter=value,..."
+std::shared_ptr<Contestant> parseContestant(const std::string& text) {
+  std::string preset = "default";
+  Settings given, scene = {{"min_depth", "0"}, {"max_depth", "0"}, {"orient_normals", "false"}};
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const std::size_t equals = part.find('=');
+    if (part.rfind("preset:", 0) == 0) {
+      preset = part.substr(7);
+    } else if (equals != std::string::npos) {
+      given.emplace_back(part.substr(0, equals), part.substr(equals + 1));
+    } else {
+      throw std::invalid_argument("'" + part + "' is neither preset:NAME nor parameter=value");
+    }
+  }
+  scene.insert(scene.end(), given.begin(), given.end());
+  return std::make_shared<Contestant>(Contestant{detectorWith(preset, given), detectorWith(preset, scene)});
+}
+
+Answer detectTimed(Detector& detector, const Cloud& cloud, int repeat) {
+  Answer answer;
+  double vote_ms = 0.0;
+  answer.total_ms = answer.vote_ms = std::numeric_limits<double>::infinity();
+  Clock::time_point stage_start;
+  detector.onStageDone([&](const char* stage) {
+    if (std::string(stage) == "vote") vote_ms += millisecondsSince(stage_start);
+    stage_start = Clock::now();
+  });
+  for (int k = 0; k < repeat; ++k) {
+    const Clock::time_point start = stage_start = Clock::now();
+    vote_ms = 0.0;
+    const Detections& detections = detector.detect(cloud);
+    answer.total_ms = std::min(answer.total_ms, millisecondsSince(start));
+    answer.vote_ms = std::min(answer.vote_ms, vote_ms);
+    answer.shapes.clear();
+    for (const Detection& detection : detections.items) answer.shapes.push_back(detection.shape);
+    if (detections.status != Status::ok) answer.failure = statusName(detections.status);
+  }
+  detector.onStageDone(nullptr);
+  return answer;
+}
+
+Method ours(const std::string& name, const std::string& configuration) {
+  const std::shared_ptr<Contestant> contestant = parseContestant(configuration);
+  return {name, [contestant](const LabelledCloud& input, int repeat) {
+            Detector& detector = input.cloud.organized() ? contestant->for_frames : contestant->for_scenes;
+            return detectTimed(detector, input.cloud, repeat);
+          }};
+}
+
+/// The shapes that must be found handed in as a result: what the scoring itself costs.
+Method truthItself() {
+  return {"truth", [](const LabelledCloud& input, int) {
+            Answer answer;
+            for (const TrueShape& truth : input.truth) {
+              if (truth.must) answer.shapes.push_back(truth.shape);
+            }
+            return answer;
+          }};
+}
+
+}  // namespace
+
+Method makeMethod(const std::string& text) {
+  if (text == "truth") return truthItself();
+  if (const auto named = kNamed.find(text); named != kNamed.end()) return ours(text, named->second);
+  if (std::optional<Method> peer = makePeer(text)) return *peer;
+  const std::size_t name_end = text.find('=');
+  if (name_end == std::string::npos || name_end == 0) {
+    std::string known = "truth";
+    for (const auto& [name, configuration] : kNamed) known += ", " + name;
+    for (const std::string& name : peerNames()) known += ", " + name;
+    throw std::invalid_argument("method '" + text + "': must be " + known + ", or NAME=preset:PRESET,parameter=value");
+  }
+  try {
+    return ours(text.substr(0, name_end), text.substr(name_end + 1));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("method '" + text + "': " + error.what());
+  }
+}
+
+}  // namespace primitect::eval

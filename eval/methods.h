@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The detectors that are compared, ours and peers, behind one face.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "eval/labelled_cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect::eval {
+
+/// What a method says about a cloud.
+struct Answer {
+  std::vector<Shape> shapes;
+  double total_ms = 0.0;    ///< cloud in memory -> shapes; without reading files and without foreign normals
+  double vote_ms = -1.0;    ///< ours: the voting stage alone; -1: has none
+  double prepare_ms = 0.0;  ///< part of total_ms that builds search trees
+  std::string failure;      ///< not empty: the method gave up on this cloud, and why
+};
+
+/// A detector under a name. `run` gets clouds one after the other and repeats itself `repeat` times on each: the
+/// shortest time counts, the shapes are the last run's.
+struct Method {
+  std::string name;
+  std::function<Answer(const LabelledCloud& input, int repeat)> run;
+};
+
+/// Ours: "default", "paper", the ablations "b" to "e" of the paper, or NAME=preset:PRESET,parameter=value,...
+/// Peers: see eval/peers/peers.h.
+/// Throws std::invalid_argument naming the text and what is allowed.
+Method makeMethod(const std::string& text);
+
+}  // namespace primitect::eval

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Other people's detectors, each run as its users run it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "eval/methods.h"
+
+namespace primitect::eval {
+
+/// The peer with this name, or nothing if there is none:
+/// "cgal"                 CGAL Efficient RANSAC on all points, default adaptive parameters; "cgal-2048" on 2048 of
+/// them;
+///                        with a kind behind it ("cgal:spheres", "cgal-2048:cones") only that kind
+/// "pcl-sac"              PCL SACSegmentationFromNormals in a loop: plane, sphere, cylinder, cone
+/// "pcl-planes"           PCL OrganizedMultiPlaneSegmentation, organized clouds only
+std::optional<Method> makePeer(const std::string& name);
+
+/// Names of makePeer() without the kinds, those that were built only.
+std::vector<std::string> peerNames();
+
+}  // namespace primitect::eval

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What all plots share: fonts, grids, a legend below the panels, never over data."""
+import os
+
+import matplotlib
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402  the backend comes first
+
+WIDTH = 9.0  # inch: 900 px wide on the page, twice as sharp in the file
+DPI = 150
+
+pyplot.rcParams.update({
+    "font.size": 10, "axes.titlesize": 10.5, "axes.labelsize": 10, "legend.fontsize": 9.5, "figure.titlesize": 12.5,
+    "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.7, "axes.axisbelow": True,
+    "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False, "savefig.facecolor": "white"})
+
+
+def panels(rows, columns, height, **options):
+    """A figure and its axes as a list of rows."""
+    figure, axes = pyplot.subplots(rows, columns, figsize=(WIDTH, height), squeeze=False, **options)
+    return figure, axes
+
+
+def finish(figure, title, path, legend=None, note=""):
+    """Title on top, legend and note below, written as PNG. legend: (handles, labels); None: those of all axes."""
+    handles, labels = legend or entries(figure)
+    height = figure.get_size_inches()[1]
+    columns = min(len(labels), 4) or 1
+    below = (0.24 * -(-len(labels) // columns) + (0.24 * (note.count("\n") + 1) if note else 0) + 0.1) / height
+    figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
+    figure.tight_layout(rect=(0, below, 1, 1 - 0.02 / height))
+    if labels:
+        figure.legend(handles, labels, loc="lower center", ncol=columns, handlelength=2.6, columnspacing=1.6,
+                      bbox_to_anchor=(0.5, (0.24 * (note.count("\n") + 1) if note else 0) / height))
+    if note:
+        figure.text(0.01, 0.05 / height, note, fontsize=9, color="#555555", va="bottom")
+    figure.savefig(path, dpi=DPI)
+    pyplot.close(figure)
+    return os.path.basename(path)
+
+
+def entries(figure):
+    """Handles and labels of all axes, each label once."""
+    found = {}
+    for axes in figure.axes:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            found.setdefault(label, handle)
+    return list(found.values()), list(found)
+
+
+def percent_axis(axes, label="percent"):
+    axes.set_ylim(-3, 103)
+    axes.set_ylabel(label)

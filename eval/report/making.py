@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""From kept lines to all results of a folder: CSV, plots, summary.md, report.html."""
+import csv
+import os
+
+from report import (bar_plots, contestants, curve_plots, more_tables, page, paper_tables, pictures, plan, summary,
+                    tables)
+
+TABLES = (paper_tables.detection, paper_tables.dod, paper_tables.typed, paper_tables.runtime, more_tables.tabletop,
+          more_tables.tabletop_noise, paper_tables.parts, more_tables.noise, more_tables.outliers, more_tables.fewer_points,
+          more_tables.concave, more_tables.samples)
+PLOTS = (curve_plots.coverage, curve_plots.noise, curve_plots.outliers, curve_plots.points, curve_plots.samples,
+         curve_plots.tabletop_noise, curve_plots.parts_coverage, bar_plots.runtime, bar_plots.tabletop_errors)
+# heading, tables and plots of each chapter of the page
+CHAPTERS = (
+    ("The paper's data set", ("detection", "dod", "typed"), ("coverage.png",)),
+    ("Time", ("runtime", "samples"), ("runtime.png", "samples.png")),
+    ("Depth frames", ("tabletop", "tabletop_noise"), ("tabletop_errors.png", "tabletop_noise.png")),
+    ("Noise, outliers, fewer points, cavities", ("noise", "outliers", "points", "concave"),
+     ("noise.png", "outliers.png", "points.png")),
+    ("Mechanical parts", ("parts",), ("parts_coverage.png",)),
+)
+INTRODUCTION = (
+    "All methods ran on the same clouds, in turn, on one thread. Every cloud is made from its seed with the truth of each point. "
+    "A point belongs to the closest shape within 0.05 m (parts and depth frames: the set's own distance) whose normal agrees "
+    "within 15 degrees. A detection is correct when it and a true region share 60 % of the points of both.")
+
+
+def seeds_text(results):
+    """"1000 to 1074"."""
+    seeds = sorted({key.seed for key in results.by_key})
+    return "%d to %d" % (seeds[0], seeds[-1]) if seeds else "none"
+
+
+def make(folder, results, environment, quick, faults, missing):
+    """Writes everything into the folder and returns the path of the page."""
+    plots = os.path.join(folder, "plots")
+    os.makedirs(plots, exist_ok=True)
+    made = [table for table in (make_table(results) for make_table in TABLES) if table.rows]
+    head = tables.head_lines(environment, seeds_text(results))
+    for table in made:
+        tables.write_csv(table, os.path.join(folder, table.key + ".csv"), head)
+    write_scores(results, os.path.join(folder, "scores.csv"), head)
+    write_coverage(results, os.path.join(folder, "coverage.csv"), head)
+    for name in os.listdir(plots):
+        os.remove(os.path.join(plots, name))
+    for draw in PLOTS:
+        draw(results, plots)
+    warnings = warnings_of(results, faults, missing)
+    with open(os.path.join(folder, "summary.md"), "w", encoding="utf-8") as file:
+        file.write(summary_text(made, results, environment, quick, warnings))
+    path = os.path.join(folder, "report.html")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(report_page(folder, made, results, environment, quick, warnings))
+    return path
+
+
+def warnings_of(results, faults, missing):
+    """What a reader must know before trusting a row."""
+    found = ["Not measured: %s is not built here." % contestants.title(name) for name in missing]
+    found += ["A call failed, its clouds are missing: " + fault for fault in faults]
+    given_up = {}
+    for key, line in results.by_key.items():
+        if line["failure"]:
+            given_up.setdefault((key.recipe.set, line["method"], line["failure"]), []).append(key.seed)
+    return found + ["%s gave up on %d clouds of %s (%s); they count as nothing found." % (
+        contestants.title(method), len(seeds), name, why) for (name, method, why), seeds in sorted(given_up.items())]
+
+
+def facts_of(results, environment, quick):
+    about = environment["about"]
+    return (("Command", "eval/run --quick" if quick else "eval/run"), ("Date", environment["date"]),
+            ("CPU", environment["cpu"]), ("Commit", environment["commit"]),
+            ("Compiler", ", ".join(str(about[name]) for name in ("compiler", "build", "flags") if name in about)),
+            ("Seeds", seeds_text(results)), ("Clouds", str(len({(key.recipe, key.seed) for key in results.by_key}))))
+
+
+def summary_text(made, results, environment, quick, warnings):
+    """All tables as Markdown."""
+    facts = "\n".join("- %s: %s" % pair for pair in facts_of(results, environment, quick) if pair[1])
+    notes = "".join("- **Note:** %s\n" % text for text in warnings)
+    return facts + "\n" + notes + "\n" + "\n".join(tables.markdown(table) for table in made)
+
+
+def report_page(folder, made, results, environment, quick, warnings):
+    by_key = {table.key: table for table in made}
+    chapters = []
+    for heading, keys, plots in CHAPTERS:
+        paths = [os.path.join(folder, "plots", name) for name in plots]
+        chapters.append((heading, "".join(tables.html_table(by_key[key]) for key in keys if key in by_key) + "".join(
+            page.image(path) for path in paths if os.path.exists(path))))
+    chapters.insert(1, ("Pictures", "".join(page.image(path, caption, wide=True) for path, caption in pictures.found_in(
+        folder, quick, plan.FIRST_SEED["quick" if quick else "full"]))))
+    head = page.facts(facts_of(results, environment, quick)) + '<p class="note">%s</p>' % INTRODUCTION
+    return page.page("primitect: what was measured", head + "".join(page.warning(text) for text in warnings), chapters)
+
+
+def every(results):
+    """(experiment, method, lines) of all that was measured; recipes that several parts share come with each."""
+    for experiment in results.experiments:
+        for method in experiment.seeds:
+            lines = summary.lines_of(results, experiment, method)
+            if lines:
+                yield experiment, method, lines
+
+
+def write_scores(results, path, head):
+    """One row for each experiment, method and kind, with every figure there is."""
+    names = list(summary.scores([]))
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(head + "# percent, DOD in multiples of the noise (tabletop: mm), medians of ms\n")
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["part"] + list(plan.Recipe._fields) + ["method", "kind"] + names + ["total_ms", "vote_ms", "tree_ms"])
+        for experiment, method, lines in every(results):
+            times = [summary.median(summary.times(lines, name)) for name in ("total_ms", "vote_ms", "prepare_ms")]
+            for group in ("all",) + summary.KINDS:
+                figures_of_group = summary.scores(lines, group)
+                writer.writerow([experiment.part] + list(experiment.recipe) + [lines[0]["method"], group] + [
+                    tables.csv_text(figures_of_group[name]) for name in names] + [tables.csv_text(time) for time in times])
+
+
+def write_coverage(results, path, head):
+    """The curves: a row for each experiment, method and curve, a column for each distance."""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(head + "# percent nearer than so many m\n")
+        writer = csv.writer(file, lineterminator="\n")
+        distances = ["%.3f" % (i * summary.CURVE_STEP) for i in range(26)]
+        writer.writerow(["part"] + list(plan.Recipe._fields) + ["method", "curve"] + distances)
+        for experiment, method, lines in every(results):
+            for name in ("p_coverage", "s_coverage"):
+                values = summary.curve(lines, name)
+                if values is not None:
+                    writer.writerow([experiment.part] + list(experiment.recipe) + [lines[0]["method"], name]
+                                    + [tables.csv_text(value) for value in values])

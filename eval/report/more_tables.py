@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables beyond the paper's: depth frames, noise, outliers, fewer points, cavities, numbers of samples."""
+from report import contestants, plan, summary
+from report.tables import Table, cell, mark_columns
+
+# kind -> its parameter errors: (name in the lines, heading, factor to the unit of the heading)
+ERRORS = {
+    "plane": (("position", "offset mm", 1000), ("axis_deg", "normal deg", 1)),
+    "sphere": (("position", "centre mm", 1000), ("radius", "radius mm", 1000)),
+    "cylinder": (("position", "axis mm", 1000), ("axis_deg", "axis deg", 1), ("radius", "radius mm", 1000)),
+    "cone": (("apex", "apex mm", 1000), ("axis_deg", "axis deg", 1), ("half_angle_deg", "half angle deg", 1)),
+}
+TYPED = ("typed_precision", "typed_recall")
+
+
+def tabletop(results):
+    """Each kind of the simulated depth frames, at the sensor's usual noise."""
+    experiments = [e for e in summary.of_part(results, "tabletop") if e.recipe.noise_scale == 1.0]
+    rows = []
+    for group in ("all",) + summary.KINDS:
+        for experiment in experiments:
+            block = [(contestants.title(method), tabletop_cells(summary.lines_of(results, experiment, method), group))
+                     for method in experiment.seeds if summary.lines_of(results, experiment, method)]
+            rows += [(section_title(group), None)]
+            rows += mark_columns(block, (None, None, True, True, True, False, False, False, False, False, False))
+    return Table("tabletop", "Simulated depth frames of cluttered tables, 640 x 480",
+                 "Percent with the right type; DOD: mean distance between found and true surface; errors: medians over "
+                 "detections with the right type, in the order written beside the kind. Time: median per frame from cloud to "
+                 "shapes; for the methods that need them, normals are part of it where the method makes them itself. "
+                 "A method that finds fewer shapes finds the easy ones: read the errors with the recall.",
+                 [("", 2), ("right type", 3), ("", 2), ("median parameter errors", 3), ("", 1)],
+                 ["frames", "true shapes", "precision", "recall", "F1", "DOD mm", "noise %", "1st", "2nd", "3rd", "ms"],
+                 rows)
+
+
+def section_title(group):
+    """"sphere: errors of 1st centre mm, 2nd radius mm"."""
+    if group == "all":
+        return "all kinds together"
+    return group + ": errors " + ", ".join("%s %s" % pair for pair in zip(("1st", "2nd", "3rd"),
+                                                                         (text for _, text, _ in ERRORS[group])))
+
+
+def tabletop_cells(lines, group):
+    figures = summary.scores(lines, group)
+    cells = [cell(figures["clouds"], 0), cell(figures["truths"], 0), cell(figures["typed_precision"]),
+             cell(figures["typed_recall"]), cell(figures["typed_f1"]), cell(figures["typed_dod"], 2), cell(figures["noise"])]
+    medians = []
+    for measure, _, factor in ERRORS.get(group, ()):
+        value = summary.median(summary.errors(lines, group, measure))
+        medians.append(cell(None if value is None else factor * value, 2))
+    medians += [cell("")] * (3 - len(medians))
+    return cells + medians + [cell(summary.median(summary.times(lines)) if group == "all" else "", 1)]
+
+
+def crossed(results, chosen, key, title, note, heading, dod_text):
+    """Methods as rows; for each experiment, [(heading, experiment)] of a section, typed precision, recall and DOD."""
+    rows, groups = [], []
+    for section, experiments in chosen:
+        groups = [(heading(e), 3) for e in experiments]
+        methods = [m for m in experiments[0].seeds if any(summary.lines_of(results, e, m) for e in experiments)]
+        block = []
+        for method in methods:
+            cells = []
+            for experiment in experiments:
+                figures = summary.scores(summary.lines_of(results, experiment, method))
+                cells += [cell(figures[name]) for name in TYPED] + [cell(figures["typed_dod"], 2)]
+            clouds = max(len(summary.lines_of(results, e, method)) for e in experiments)
+            block.append(("%s (%d clouds)" % (contestants.title(method), clouds), cells))
+        truth_rows = [label for label, _ in block if label.startswith(contestants.TITLES["truth"])]
+        rows += ([(section, None)] if section else []) + mark_columns(block, (True, True, False) * len(experiments),
+                                                                      truth_rows)
+    return Table(key, title, note + " P, R: precision and recall with the right type in percent; DOD of these in "
+                 + dod_text + ".", groups, ["P", "R", "DOD"] * len(groups), rows)
+
+
+def noise(results):
+    """The paper's sets at five noise levels."""
+    experiments = summary.of_part(results, "noise")
+    chosen = [(kind, [e for e in experiments if e.recipe.set == "paper-" + kind]) for kind in plan.KINDS]
+    return crossed(results, [pair for pair in chosen if pair[1]], "noise", "Noise: the paper's sets at five levels",
+                   "The truth handed in loses, too: with more noise the normals of the cloud leave the 15 degrees of the "
+                   "scoring, so it marks what can be reached at most.",
+                   lambda e: "noise %g" % e.recipe.sigma, "multiples of the noise")
+
+
+def outliers(results):
+    chosen = [e for e in summary.of_part(results, "variants") if e.recipe.set == "paper-mixed" and e.recipe.keep == 1.0]
+    return crossed(results, [("", chosen)] if chosen else [], "outliers", "Outliers: mixed clouds with points anywhere",
+                   "Points thrown evenly into the bounding box.", lambda e: "%g %% outliers" % (100 * e.recipe.outliers),
+                   "multiples of the noise")
+
+
+def fewer_points(results):
+    chosen = [e for e in summary.of_part(results, "variants")
+              if e.recipe.set == "paper-mixed" and e.recipe.outliers == 0.0]
+    return crossed(results, [("", chosen)] if chosen else [], "points", "Fewer points: mixed clouds thinned out",
+                   "A share of the 160,801 points drawn at random.", lambda e: "%g %% kept" % (100 * e.recipe.keep),
+                   "multiples of the noise")
+
+
+def concave(results):
+    chosen = [e for e in summary.of_part(results, "variants") if e.recipe.set in plan.CONCAVE]
+    return crossed(results, [("", chosen)] if chosen else [], "concave", "Cavities: the same shapes seen from inside",
+                   "The paper's method votes for convex shapes only, by construction.",
+                   lambda e: e.recipe.set.replace("concave-", ""), "multiples of the noise")
+
+
+def tabletop_noise(results):
+    chosen = summary.of_part(results, "tabletop")
+    return crossed(results, [("", chosen)] if chosen else [], "tabletop_noise",
+                   "Depth frames with less and more sensor noise", "All kinds together.",
+                   lambda e: "sensor noise x %g" % e.recipe.noise_scale, "mm")
+
+
+def samples(results):
+    """Accuracy and time for several numbers of samples."""
+    rows = []
+    for experiment in summary.of_part(results, "samples"):
+        block = []
+        for method in experiment.seeds:
+            lines = summary.lines_of(results, experiment, method)
+            if lines:
+                figures = summary.scores(lines)
+                block.append((contestants.title(method), [
+                    cell(figures["clouds"], 0), cell(summary.median(summary.times(lines)), 1),
+                    cell(figures["typed_precision"]), cell(figures["typed_recall"]), cell(figures["typed_f1"]),
+                    cell(figures["typed_dod"], 2)]))
+        rows += [(experiment.recipe.set, None)] + mark_columns(block, (None, False, True, True, True, False))
+    return Table("samples", "Accuracy against time: several numbers of samples",
+                 "Percent with the right type; median time per cloud; DOD in multiples of the noise, on tabletop in mm.",
+                 [("", 2), ("right type", 4)], ["clouds", "ms", "precision", "recall", "F1", "DOD"], rows)

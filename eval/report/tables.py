@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A table once, written as CSV, Markdown and HTML."""
+import csv
+import html
+from collections import namedtuple
+
+# groups: [(heading, number of columns)] above columns: [heading]; rows: [(label, [Cell])], a section with None for cells.
+Table = namedtuple("Table", "key title note groups columns rows")
+Cell = namedtuple("Cell", "value digits published best")
+
+
+def cell(value, digits=1, published=None):
+    """One figure; value None: nothing to say. published: the paper's own figure."""
+    return Cell(value, digits, published, False)
+
+
+def shown(number, digits):
+    """As it is printed everywhere."""
+    return "–" if number is None else str(number) if isinstance(number, str) else "%.*f" % (digits, number)
+
+
+def mark_best(cells, higher):
+    """The cells with the best of them marked, all that print alike. Texts and missing ones do not take part."""
+    numbers = [c.value for c in cells if isinstance(c.value, (int, float))]
+    if len(numbers) < 2:
+        return cells
+    best = max(numbers) if higher else min(numbers)
+    return [c._replace(best=isinstance(c.value, (int, float)) and shown(c.value, c.digits) == shown(best, c.digits))
+            for c in cells]
+
+
+def mark_columns(rows, higher_of_column, skip=("truth handed in",)):
+    """Rows with the best of each column marked; None in higher_of_column: no best. Rows named in skip stay out."""
+    taking_part = [i for i, (label, cells) in enumerate(rows) if cells and label not in skip]
+    rows = [(label, list(cells) if cells else cells) for label, cells in rows]
+    for column, higher in enumerate(higher_of_column):
+        if higher is None:
+            continue
+        for i, marked in zip(taking_part, mark_best([rows[i][1][column] for i in taking_part], higher)):
+            rows[i][1][column] = marked
+    return rows
+
+
+def headings(table):
+    """One heading a column, with its group's in front."""
+    names = [name for name, span in table.groups for _ in range(span)]
+    return [" ".join(filter(None, pair)) for pair in zip(names, table.columns)]
+
+
+def head_lines(environment, seeds):
+    """What stands above each CSV file."""
+    return "# cpu: %s date: %s commit: %s seeds: %s\n" % (environment["cpu"], environment["date"],
+                                                          environment["commit"], seeds)
+
+
+def write_csv(table, path, head):
+    """The table with full digits; a column for the paper's figure behind each that has one."""
+    names = headings(table)
+    rows = [(label, cells) for label, cells in table.rows if cells]
+    published = [any(cells[i].published is not None for _, cells in rows) for i in range(len(names))]
+    section = ""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(head + "# %s\n" % table.title)
+        writer = csv.writer(file, lineterminator="\n")
+        columns = [part for name, has in zip(names, published) for part in ([name, name + " (paper)"] if has else [name])]
+        writer.writerow(["section", "row"] + columns)
+        for label, cells in table.rows:
+            if cells is None:
+                section = label
+                continue
+            figures = []
+            for one, has in zip(cells, published):
+                figures += [csv_text(one.value)] + ([csv_text(one.published)] if has else [])
+            writer.writerow([section, label] + figures)
+
+
+def csv_text(value):
+    return "" if value is None else value if isinstance(value, str) else "%.6g" % value
+
+
+def markdown(table):
+    """As text for a README; the paper's figures in brackets."""
+    lines = ["### " + table.title, "", table.note, "", "| | " + " | ".join(headings(table)) + " |",
+             "|---|" + "---:|" * len(table.columns)]
+    for label, cells in table.rows:
+        if cells is None:
+            lines.append("| **%s** |" % label + " |" * len(table.columns))
+            continue
+        lines.append("| %s | " % label + " | ".join(markdown_cell(one) for one in cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def markdown_cell(one):
+    text = shown(one.value, one.digits)
+    text = "**%s**" % text if one.best else text
+    return text if one.published is None else "%s [%s]" % (text, published_text(one))
+
+
+def published_text(one):
+    """The paper's figure with the digits that it is printed with there."""
+    return shown(one.published, 0 if isinstance(one.published, int) else one.digits)
+
+
+def html_table(table):
+    """A figure element with heading, table and note."""
+    parts = ['<section class="table"><h3>%s</h3><div class="scroll"><table><thead>' % html.escape(table.title)]
+    if any(name for name, _ in table.groups):
+        parts.append("<tr><th></th>" + "".join('<th colspan="%d" class="group">%s</th>' % (span, html.escape(name))
+                                               for name, span in table.groups) + "</tr>")
+    starts = group_starts(table)
+    parts.append("<tr><th></th>" + "".join('<th%s>%s</th>' % (starts[i], html.escape(name))
+                                           for i, name in enumerate(table.columns)) + "</tr></thead><tbody>")
+    for label, cells in table.rows:
+        if cells is None:
+            parts.append('<tr class="section"><th colspan="%d">%s</th></tr>' % (len(table.columns) + 1, html.escape(label)))
+        else:
+            parts.append("<tr><th>%s</th>" % html.escape(label) + "".join(
+                "<td%s>%s</td>" % (starts[i], html_cell(one)) for i, one in enumerate(cells)) + "</tr>")
+    return "".join(parts) + '</tbody></table></div><p class="note">%s</p></section>' % html.escape(table.note)
+
+
+def group_starts(table):
+    """The attribute of each column: the first of a group gets a line on its left."""
+    attributes = []
+    for _, span in table.groups:
+        attributes += [' class="first"'] + [""] * (span - 1)
+    return attributes
+
+
+def html_cell(one):
+    text = html.escape(shown(one.value, one.digits))
+    text = "<b>%s</b>" % text if one.best else text
+    return text if one.published is None else '%s <span class="published">[%s]</span>' % (text, published_text(one))

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// From a world to a labelled frame; see tabletop_frames.h.
+#include "eval/tabletop_frames.h"
+
+#include <limits>
+#include <memory>
+
+#include "core/neighbors.h"
+#include "core/normals.h"
+#include "core/samples.h"
+#include "synthetic/clutter.h"
+#include "synthetic/frame.h"
+
+namespace primitect::eval {
+namespace {
+
+using synthetic::Frame;
+using synthetic::kNoSurface;
+using synthetic::PinholeCamera;
+using synthetic::World;
+
+/// A view of a world.
+struct View {
+  World world;
+  PinholeCamera camera;
+  Eigen::Isometry3d world_from_camera;
+};
+
+/// The truth in order of its surfaces, also of those that need not be found; surfaces get its index as label.
+void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) {
+  constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
+  synthetic::TruthParams params;
+  params.min_pixels = kFewestPixels;
+  std::vector<int> surface_of_item;
+  const synthetic::Rendering measured{frame.depth, frame.surface};
+  const Detections items = truthOf(view.world, view.camera, view.world_from_camera, measured, params, &surface_of_item);
+  std::vector<int> label(view.world.surfaces().size(), kClutter);
+  for (std::size_t k = 0; k < items.items.size(); ++k) {
+    const Detection& item = items.items[k];
+    result.truth.push_back({item.shape, item.concave, item.inlier_count >= kLeastPixels && !item.concave});
+    label[surface_of_item[k]] = static_cast<int>(k);
+  }
+  result.surface.assign(frame.surface.size(), kNoShape);
+  for (std::size_t i = 0; i < frame.surface.size(); ++i) {
+    if (result.cloud.valid(i) && frame.surface[i] != kNoSurface) result.surface[i] = label[frame.surface[i]];
+  }
+}
+
+/// Normals that the detector would measure, where no exact ones are known.
+void measureNormals(const std::vector<std::uint32_t>& pixels, Cloud& cloud) {
+  Samples samples;
+  samples.resize(pixels.size());
+  samples.index = pixels;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    samples.x[k] = cloud.x[pixels[k]], samples.y[k] = cloud.y[pixels[k]], samples.z[k] = cloud.z[pixels[k]];
+    samples.nx[k] = samples.ny[k] = samples.nz[k] = std::numeric_limits<float>::quiet_NaN();
+  }
+  Params params;
+  params.use_cloud_normals = false;
+  std::unique_ptr<NeighborSearch> unused;
+  estimateNormals(cloud, params, unused, samples);
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    cloud.setNormal(pixels[k], samples.nx[k], samples.ny[k], samples.nz[k]);
+  }
+}
+
+/// The points of the surfaces themselves, where the cloud has a measured one.
+Cloud exactPoints(const View& view, const Cloud& cloud) {
+  synthetic::Rendering exact;
+  render(view.world, view.camera, view.world_from_camera, exact);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!cloud.valid(i)) exact.depth[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  Cloud scored;
+  cloudFromDepth(exact.depth, view.camera, DepthRange(), scored);
+  return scored;
+}
+
+/// Exact points and normals; of surfaces that are none of the four kinds the normals are measured.
+Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
+  std::vector<Shape> shapes;
+  for (const synthetic::Surface& surface : view.world.surfaces()) {
+    shapes.push_back(synthetic::transformed(view.world_from_camera.inverse(), surface.shape));
+  }
+  Cloud scored = exactPoints(view, cloud);
+  for (std::vector<float>* normals : {&scored.nx, &scored.ny, &scored.nz}) {
+    normals->assign(cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  }
+  std::vector<std::uint32_t> without_shape;
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (!cloud.valid(i) || frame.surface[i] == kNoSurface) continue;
+    if (!view.world.surfaces()[frame.surface[i]].primitive) {
+      without_shape.push_back(i);
+      continue;
+    }
+    const Vec3 point(scored.x[i], scored.y[i], scored.z[i]);
+    const Eigen::Vector3f normal = normalAt(shapes[frame.surface[i]], point).cast<float>();
+    scored.setNormal(i, normal.x(), normal.y(), normal.z());
+  }
+  measureNormals(without_shape, scored);
+  return scored;
+}
+
+}  // namespace
+
+LabelledCloud tabletopFrame(const Recipe& recipe) {
+  constexpr double kMillimeter = 0.001;
+  const View view{synthetic::clutteredTable(recipe.seed), PinholeCamera(), synthetic::clutterPose(recipe.seed)};
+  synthetic::FrameParams params;
+  params.noise.scale = recipe.noise_scale;
+  const Frame frame = renderFrame(view.world, view.camera, view.world_from_camera, params, recipe.seed, 0);
+  LabelledCloud result;
+  result.unit = kMillimeter;
+  result.rules.max_distance = 20.0 * kMillimeter;
+  cloudFromDepth(frame.depth, view.camera, params.truth.range, result.cloud);
+  labelSurfaces(view, frame, result);
+  result.scored = scoredPoints(view, frame, result.cloud);
+  return result;
+}
+
+}  // namespace primitect::eval

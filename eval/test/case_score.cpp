@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole score of a cloud: what counts, by kind, and what shapes that need not be found do.
+#include "eval/case_score.h"
+
+#include <gtest/gtest.h>
+
+#include "eval/test/hand_made.h"
+
+namespace {
+
+using namespace primitect;
+using namespace primitect::eval;
+
+Plane shelf(double height) { return {Vec3(0, 0, height), Vec3::UnitZ()}; }
+
+/// A sphere so large that it is a plane for the rules, at this height.
+Sphere flatSphere(double height) { return {Vec3(0, 0, height - 1e6), 1e6}; }
+
+const Counts& of(const CaseScore& score, Kind kind) { return score.of_kind[static_cast<std::size_t>(kind)]; }
+
+TEST(CaseScore, GivesFullMarksToTheTruth) {
+  const CaseScore score = scoreCase(shelves(2), {shelf(1), shelf(2)});
+  EXPECT_EQ(score.all.truths, 2);
+  EXPECT_EQ(score.all.found, 2);
+  EXPECT_EQ(score.all.typed_correct, 2);
+  EXPECT_EQ(score.all.type_right, 2);
+  EXPECT_EQ(score.all.missed + score.all.noise + score.all.over_segmented + score.all.under_segmented, 0);
+  EXPECT_EQ(score.all.dod, 0.0);
+  EXPECT_EQ(score.points, 20);
+  EXPECT_EQ(score.p_coverage.size(), kCurvePoints);
+  EXPECT_EQ(score.s_coverage.back(), 1.0);
+}
+
+TEST(CaseScore, GivesDodInTheUnitOfTheCloud) {
+  LabelledCloud input = shelves(2);
+  input.unit = 0.01;
+  const CaseScore score = scoreCase(input, {shelf(1.02), shelf(2)});
+  EXPECT_EQ(score.all.correct, 2);
+  EXPECT_NEAR(score.all.dod, 2.0, 1e-5);
+  EXPECT_NEAR(score.all.typed_dod, 2.0, 1e-5);
+  EXPECT_NEAR(score.errors[0].position.at(0), 0.02, 1e-7);
+}
+
+TEST(CaseScore, KeepsAPairOfDifferentKindsOutOfTheTypedFigures) {
+  const CaseScore score = scoreCase(shelves(1), {flatSphere(1.01)});
+  EXPECT_EQ(score.all.correct, 1);
+  EXPECT_EQ(score.all.typed_correct, 0);
+  EXPECT_EQ(score.all.type_right, 0);
+  EXPECT_EQ(score.all.typed_dod, 0.0);
+  EXPECT_NEAR(score.all.dod, 0.01, 1e-4);
+  EXPECT_EQ(of(score, Kind::plane).correct, 1);
+  EXPECT_EQ(of(score, Kind::plane).found, 0);
+  EXPECT_EQ(of(score, Kind::sphere).found, 1);
+  EXPECT_TRUE(score.errors[1].radius.empty());
+}
+
+TEST(CaseScore, CountsWhatIsMissedByItsKindAndWhatIsNoiseByTheKindFound) {
+  const CaseScore score = scoreCase(shelves(2), {shelf(1), flatSphere(5)});
+  EXPECT_EQ(of(score, Kind::plane).missed, 1);
+  EXPECT_EQ(of(score, Kind::sphere).noise, 1);
+  EXPECT_EQ(score.all.missed, 1);
+  EXPECT_EQ(score.all.noise, 1);
+}
+
+TEST(CaseScore, GivesNothingToAnEmptyResult) {
+  const CaseScore score = scoreCase(shelves(3), {});
+  EXPECT_EQ(score.all.missed, 3);
+  EXPECT_EQ(score.all.found, 0);
+  EXPECT_EQ(score.p_coverage.back(), 0.0);
+  EXPECT_TRUE(score.s_coverage.empty());
+}
+
+TEST(OptionalShapes, CountNeitherWhenFoundNorWhenNot) {
+  LabelledCloud input = shelves(2);
+  input.truth[1].must = false;
+  for (const std::vector<Shape>& found : {std::vector<Shape>{shelf(1), shelf(2)}, std::vector<Shape>{shelf(1)}}) {
+    const CaseScore score = scoreCase(input, found);
+    EXPECT_EQ(score.all.truths, 1);
+    EXPECT_EQ(score.all.found, 1);
+    EXPECT_EQ(score.all.typed_correct, 1);
+    EXPECT_EQ(score.all.noise, 0);
+  }
+}
+
+TEST(OptionalShapes, DoNotExcuseNoiseElsewhere) {
+  LabelledCloud input = shelves(2);
+  input.truth[1].must = false;
+  EXPECT_EQ(scoreCase(input, {shelf(1), shelf(7)}).all.noise, 1);
+}
+
+TEST(OptionalShapes, LendNoPointsToADetectionOfAnotherShape) {
+  // A cup: inner and outer wall 5 mm apart, the inner need not be found. The one detection takes the points of both.
+  LabelledCloud input = shelves(2);
+  input.truth[1] = {shelf(1.005), true, false};
+  for (std::size_t i = 10; i < 20; ++i) input.scored.z[i] = 1.005f;
+  const CaseScore score = scoreCase(input, {shelf(1)});
+  EXPECT_EQ(score.all.typed_correct, 1);
+  EXPECT_EQ(score.all.found, 1);
+}
+
+TEST(OptionalShapes, ExcuseADetectionThatIsMostlyOnTheirPoints) {
+  LabelledCloud input = shelves(2);
+  input.truth[1].must = false;
+  // Four points of the first shelf are lifted to the second: too few to be its detection, and not noise either.
+  for (std::size_t i = 0; i < 4; ++i) input.scored.z[i] = 2.0f;
+  const CaseScore score = scoreCase(input, {shelf(2)});
+  EXPECT_EQ(score.all.found, 0);
+  EXPECT_EQ(score.all.missed, 1);
+}
+
+TEST(Clutter, IsNoMissButADetectionOfItIsNoise) {
+  LabelledCloud input = shelves(2);
+  input.truth.pop_back();
+  for (std::size_t i = 10; i < 20; ++i) input.surface[i] = kClutter;
+  EXPECT_EQ(scoreCase(input, {shelf(1)}).all.noise, 0);
+  EXPECT_EQ(scoreCase(input, {shelf(1)}).all.truths, 1);
+  EXPECT_EQ(scoreCase(input, {shelf(1), shelf(2)}).all.noise, 1);
+}
+
+TEST(Clutter, DoesNotSpoilADetectionThatRunsThroughIt) {
+  LabelledCloud input = shelves(2);
+  input.truth.pop_back();
+  for (std::size_t i = 10; i < 20; ++i) input.surface[i] = kClutter, input.scored.z[i] = 1.01f;
+  const CaseScore score = scoreCase(input, {shelf(1)});
+  EXPECT_EQ(score.all.typed_correct, 1);
+  EXPECT_EQ(score.all.noise, 0);
+}
+
+TEST(Outliers, DoSpoilADetectionThatTakesThem) {
+  LabelledCloud input = shelves(2);
+  input.truth.pop_back();
+  for (std::size_t i = 10; i < 20; ++i) input.surface[i] = kNoShape, input.scored.z[i] = 1.01f;
+  EXPECT_EQ(scoreCase(input, {shelf(1)}).all.correct, 0);
+}
+
+TEST(Counts, AddUpFieldByField) {
+  const CaseScore one = scoreCase(shelves(2), {shelf(1), flatSphere(5)});
+  Counts sum = one.all;
+  sum += one.all;
+  EXPECT_EQ(sum.truths, 4);
+  EXPECT_EQ(sum.found, 4);
+  EXPECT_EQ(sum.correct, 2);
+  EXPECT_EQ(sum.typed_correct, 2);
+  EXPECT_EQ(sum.missed, 2);
+  EXPECT_EQ(sum.noise, 2);
+  EXPECT_EQ(sum.type_right, 2);
+}
+
+}  // namespace

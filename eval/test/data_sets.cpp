@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Every data set and variant: the truth handed in scores full marks, the same recipe gives the same cloud.
+#include "eval/data_sets.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "eval/case_score.h"
+#include "eval/methods.h"
+
+namespace {
+
+using namespace primitect;
+using namespace primitect::eval;
+
+Recipe recipeOf(const std::string& set, std::uint64_t seed = 3) {
+  Recipe recipe;
+  recipe.set = set;
+  recipe.seed = seed;
+  recipe.sigma = 0.005;
+  return recipe;
+}
+
+class EverySet : public testing::TestWithParam<std::string> {};
+
+TEST_P(EverySet, GivesFullMarksToItsOwnTruth) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf(GetParam()));
+  const CaseScore score = scoreCase(input, makeMethod("truth").run(input, 1).shapes);
+  EXPECT_GT(score.all.truths, 0);
+  EXPECT_EQ(score.all.typed_correct, score.all.truths);
+  EXPECT_EQ(score.all.found, score.all.truths);
+  EXPECT_EQ(score.all.type_right, score.all.truths);
+  EXPECT_EQ(score.all.missed + score.all.noise + score.all.over_segmented + score.all.under_segmented, 0);
+  EXPECT_EQ(score.all.dod, 0.0);
+}
+
+TEST_P(EverySet, LabelsMeasuredPointsOnly) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf(GetParam()));
+  ASSERT_EQ(input.surface.size(), input.cloud.size());
+  ASSERT_EQ(input.scored.size(), input.cloud.size());
+  for (std::size_t i = 0; i < input.surface.size(); ++i) {
+    ASSERT_LT(input.surface[i], static_cast<int>(input.truth.size()));
+    ASSERT_TRUE(input.surface[i] < 0 || input.cloud.valid(i));
+    ASSERT_EQ(input.scored.valid(i), input.cloud.valid(i));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(DataSets, EverySet, testing::ValuesIn(dataSetNames()), [](const auto& info) {
+  std::string name = info.param;
+  for (char& letter : name) letter = letter == '-' ? '_' : letter;
+  return name;
+});
+
+TEST(Recipe, MadeTwiceGivesTheSameBytes) {
+  Recipe recipe = recipeOf("paper-mixed");
+  recipe.outliers = 0.2;
+  recipe.keep = 0.1;
+  const LabelledCloud first = makeLabelledCloud(recipe), second = makeLabelledCloud(recipe);
+  EXPECT_EQ(first.cloud.x, second.cloud.x);
+  EXPECT_EQ(first.cloud.nz, second.cloud.nz);
+  EXPECT_EQ(first.surface, second.surface);
+}
+
+TEST(Recipe, WithFewerPointsHandsOutThatShareAndScoresOnAll) {
+  Recipe recipe = recipeOf("paper-spheres");
+  recipe.keep = 0.01;
+  const LabelledCloud thin = makeLabelledCloud(recipe);
+  // Binomial: 1608 expected, standard deviation 40.
+  EXPECT_NEAR(static_cast<double>(thin.cloud.size()), 1608.0, 200.0);
+  EXPECT_EQ(thin.cloud.valid_count, thin.cloud.size());
+  EXPECT_EQ(thin.cloud.width, thin.cloud.size());
+  EXPECT_TRUE(thin.cloud.hasNormals());
+  EXPECT_EQ(thin.scored.size(), 160801u);
+  EXPECT_EQ(thin.surface.size(), 160801u);
+}
+
+TEST(Recipe, WithFewerPointsOfADepthFrameLeavesHoles) {
+  Recipe recipe = recipeOf("tabletop");
+  const std::uint32_t all = makeLabelledCloud(recipe).cloud.valid_count;
+  recipe.keep = 0.1;
+  const LabelledCloud thin = makeLabelledCloud(recipe);
+  EXPECT_TRUE(thin.cloud.organized());
+  EXPECT_NEAR(static_cast<double>(thin.cloud.valid_count), 0.1 * all, 0.005 * all);
+}
+
+TEST(Recipe, OutliersBelongToNothing) {
+  Recipe recipe = recipeOf("paper-spheres");
+  recipe.outliers = 0.4;
+  const LabelledCloud input = makeLabelledCloud(recipe);
+  const auto free = std::count(input.surface.begin(), input.surface.end(), -1);
+  EXPECT_NEAR(static_cast<double>(free) / input.surface.size(), 0.4, 0.01);
+}
+
+TEST(ConcaveScenes, AreSeenFromInside) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("concave-spheres"));
+  std::size_t inside = 0, all = 0;
+  for (std::size_t i = 0; i < input.cloud.size(); ++i) {
+    if (input.surface[i] < 0 || !input.truth[input.surface[i]].concave) continue;
+    const Vec3 point(input.cloud.x[i], input.cloud.y[i], input.cloud.z[i]);
+    const Vec3 normal(input.cloud.nx[i], input.cloud.ny[i], input.cloud.nz[i]);
+    ++all;
+    inside += normal.dot(normalAt(input.truth[input.surface[i]].shape, point)) < 0.0;
+    ASSERT_GE(normal.z(), 0.0);
+  }
+  EXPECT_GT(all, 10000u);
+  // Normals are estimated from noisy points; at the rims some turn over.
+  EXPECT_GT(static_cast<double>(inside), 0.97 * static_cast<double>(all));
+}
+
+TEST(TabletopFrames, AskForConvexShapesWithEnoughPixelsOnly) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const LabelledCloud input = makeLabelledCloud(recipeOf("tabletop", seed));
+    std::vector<std::uint32_t> pixels(input.truth.size(), 0);
+    for (const int t : input.surface) {
+      if (t >= 0) ++pixels[t];
+    }
+    for (std::size_t t = 0; t < input.truth.size(); ++t) {
+      EXPECT_EQ(input.truth[t].must, pixels[t] >= 900 && !input.truth[t].concave) << "seed " << seed << " shape " << t;
+    }
+  }
+}
+
+TEST(Recipe, OutOfRangeIsRefused) {
+  Recipe recipe = recipeOf("paper-mixed");
+  recipe.keep = 0.0;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe.keep = 1.0;
+  recipe.sigma = -1.0;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  EXPECT_THROW(makeLabelledCloud(recipeOf("paper-cubes")), std::invalid_argument);
+  recipe = recipeOf("tabletop");
+  recipe.outliers = 0.1;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+}
+
+TEST(Methods, RefuseWhatTheyDoNotKnow) {
+  EXPECT_THROW(makeMethod("best"), std::invalid_argument);
+  EXPECT_THROW(makeMethod("x=preset:unknown"), std::invalid_argument);
+  EXPECT_THROW(makeMethod("x=samples=many"), std::invalid_argument);
+  EXPECT_THROW(makeMethod("x=nonsense"), std::invalid_argument);
+}
+
+TEST(Methods, TakeParametersFromTheirText) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("paper-spheres"));
+  const Answer answer =
+      makeMethod("mine=preset:default,detect_spheres=false,detect_cylinders=false,detect_cones=false").run(input, 1);
+  ASSERT_FALSE(answer.shapes.empty());
+  for (const Shape& shape : answer.shapes) EXPECT_EQ(kindOf(shape), Kind::plane);
+  EXPECT_GT(answer.total_ms, answer.vote_ms);
+}
+
+}  // namespace

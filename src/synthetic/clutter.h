@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A crowded table, different for every seed: things hide one another, lie, are hollow, or are no primitive at all.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "synthetic/world.h"
+
+namespace primitect::synthetic {
+
+/// Floor, one or two walls, a table (its top at kTableHeight), and on it 6 to 14 things close together, some of them
+/// on top of a box: balls, standing and lying cylinders, open cups, pots and bowls (concave inside), cones pointed or
+/// cut off, boxes, and 1 to 3 that are none of the four kinds ("ellipsoid", "torus", "lump": Surface::primitive is
+/// false). They do not intersect. The wall is beyond 2 m from clutterPose(), in one of four seeds right behind the
+/// table. World frame as in tabletop.h. Throws std::runtime_error when the things find no place (no seed is known).
+World clutteredTable(std::uint64_t seed);
+
+/// world_from_camera (optical frame): 0.8 to 1.3 m from the middle of the things, 25 to 55 deg from above, any side
+/// within 50 deg, rolled by up to 5 deg. Objects may reach out of the image.
+Eigen::Isometry3d clutterPose(std::uint64_t seed);
+
+}  // namespace primitect::synthetic

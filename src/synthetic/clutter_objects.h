@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The things of a crowded table, drawn at random.
+#pragma once
+
+#include <vector>
+
+#include "core/random.h"
+#include "synthetic/tabletop_objects.h"
+
+namespace primitect::synthetic {
+
+/// Things that stand together: [0] on the table, its stadium holds all of them; a further one on top of it.
+using Pile = std::vector<Object>;
+
+/// 6 to 14 things, 1 to 3 of them none of the four kinds.
+std::vector<Pile> drawPiles(Random& random);
+
+}  // namespace primitect::synthetic
