@@ -24,7 +24,7 @@ def runtime(results, folder):
     experiments = summary.of_part(results, "runtime")
     if not experiments:
         return None
-    columns, texts = ("joint",) + plan.KINDS[:-1], plan.kind_methods()
+    columns, texts = plan.RUNTIME_COLUMNS, plan.kind_methods()
     methods = ("default", "paper", "cgal", "cgal-2048")
     figure, axes = figures.panels(1, 1, 4.4)
     one, width = axes[0][0], 0.19
@@ -42,6 +42,7 @@ def runtime(results, folder):
             if printed:
                 one.plot(x, printed, marker="_", markersize=13, markeredgewidth=2, color="#222222")
     one.set_yscale("log")
+    figures.plain_log(one.yaxis)
     one.set_ylabel("median time (ms)")
     one.set_xticks(range(len(columns)), ["all four kinds"] + [kind + " only" for kind in columns[1:]])
     one.grid(False, axis="x")
@@ -73,8 +74,8 @@ def tabletop_errors(results, folder):
     return figures.finish(figure, "Errors of the parameters on simulated depth frames, right type only",
                           os.path.join(folder, "tabletop_errors.png"),
                           (handles, [handle.get_label() for handle in handles]),
-                          note="Line: median, box: the middle half, whiskers: 5 to 95 %; logarithmic. Below each box: how many "
-                               "shapes. Who finds fewer, finds the easy ones.")
+                          note="Line: median, box: the middle half, whiskers: 5 to 95 %; logarithmic.\nBelow each box: how many shapes "
+                               "it stands for. A method that finds fewer finds the easy ones.")
 
 
 def boxes(axes, values, methods):
@@ -88,4 +89,5 @@ def boxes(axes, values, methods):
     axes.set_xticks(range(len(methods)), [str(len(some)) for some in values], fontsize=8)
     axes.tick_params(axis="x", length=0)
     axes.set_yscale("log")
+    figures.plain_log(axes.yaxis, short=True)
     axes.grid(False, axis="x")

@@ -12,7 +12,7 @@ TITLES = {
     "e": "(e) no vote spreading",
     "cgal": "CGAL Efficient RANSAC",
     "cgal-2048": "CGAL Eff. RANSAC, 2048 points",
-    "pcl-sac": "PCL SAC in a loop",
+    "pcl-sac": "PCL SAC loop, 4096 points",
     "pcl-planes": "PCL multi-plane",
 }
 

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # What the measured program is built from: a commit of other files leaves measurements valid.
 MEASURED = ("src", "include", "cmake", "CMakeLists.txt", "eval/*.cpp", "eval/*.h", "eval/CMakeLists.txt")
 

@@ -5,7 +5,7 @@ import os
 
 import matplotlib
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402  the backend comes first
+from matplotlib import pyplot, ticker  # noqa: E402  the backend comes first
 
 WIDTH = 9.0  # inch: 900 px wide on the page, twice as sharp in the file
 DPI = 150
@@ -47,6 +47,13 @@ def entries(figure):
         for handle, label in zip(*axes.get_legend_handles_labels()):
             found.setdefault(label, handle)
     return list(found.values()), list(found)
+
+
+def plain_log(axis, short=False):
+    """A logarithmic axis of "0.1, 1, 10, 1,000" instead of powers; with marks between on a short one."""
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 3) if short else (1,), numticks=12))
+    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: "{:,g}".format(float("%.6g" % value))))
+    axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def percent_axis(axes, label="percent"):

@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 
 from report import store
+from report.plan import Recipe
 
 GIVE_UP_AFTER = 3  # calls in a row that fail: then it is not the cloud
 
@@ -19,10 +20,19 @@ def command_of(program, call):
     recipe = call.recipe
     command = [program, "--set", recipe.set, "--seeds", "%d:%d" % (call.first, call.count),
                "--sigma", repr(recipe.sigma), "--noise-scale", repr(recipe.noise_scale),
-               "--outliers", repr(recipe.outliers), "--keep", repr(recipe.keep), "--repeat", str(call.repeat)]
+               "--outliers", repr(recipe.outliers), "--keep", repr(recipe.keep), "--max-angle-deg", repr(recipe.angle),
+               "--repeat", str(call.repeat)]
     for method in call.methods:
         command += ["--method", method]
     return command + ["--json", "-"]
+
+
+def task_text(call):
+    """"paper-mixed, seed 1000, outliers 0.3": only what is not as usual."""
+    usual = Recipe(call.recipe.set)
+    special = ["%s %g" % (name.replace("_", " "), value) for name, value, normal in zip(
+        Recipe._fields, call.recipe, usual) if value != normal]
+    return ", ".join([call.recipe.set, "seed %d" % call.first] + special)
 
 
 def run_call(program, call, path, environment, lines, advance):
@@ -54,7 +64,7 @@ def run_calls(program, calls, path, environment, lines, progress):
     """Runs all calls; lines grows. Returns the faults of those that failed. Raises Failed when several in a row did."""
     faults, in_a_row = [], 0
     for call in calls:
-        progress.say("%s, seed %d" % (call.recipe.set, call.first))
+        progress.say(task_text(call))
         try:
             fault = run_call(program, call, path, environment, lines, progress.advance)
         except ValueError as error:

@@ -36,7 +36,8 @@ def load(path):
 
 def key_of(line):
     """What makes a kept line the answer to one question."""
-    recipe = Recipe(line["set"], line["sigma"], line["noise_scale"], line["outliers"], line["keep"])
+    recipe = Recipe(line["set"], line["sigma"], line["noise_scale"], line["outliers"], line["keep"],
+                    line["angle"])
     return Key(recipe, line["seed"], line["text"], line["repeat"])
 
 
@@ -56,7 +57,7 @@ def stamped(line, call, environment):
     if line.get("method") not in texts:
         raise ValueError("the program answered for method %r, asked were %s" % (line.get("method"), sorted(texts)))
     kept = dict(line, text=texts[line["method"]], repeat=call.repeat, commit=environment["commit"],
-                cpu=environment["cpu"], date=environment["date"])
+                cpu=environment["cpu"], date=environment["date"], load=round(os.getloadavg()[0], 2))
     # The program prints what it was given, but perhaps not to the last digit.
     kept.update(call.recipe._asdict())
     return kept

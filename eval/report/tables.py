@@ -15,6 +15,10 @@ def cell(value, digits=1, published=None):
     return Cell(value, digits, published, False)
 
 
+def clouds_text(count):
+    return "1 cloud" if count == 1 else "%d clouds" % count
+
+
 def shown(number, digits):
     """As it is printed everywhere."""
     return "–" if number is None else str(number) if isinstance(number, str) else "%.*f" % (digits, number)
@@ -23,9 +27,9 @@ def shown(number, digits):
 def mark_best(cells, higher):
     """The cells with the best of them marked, all that print alike. Texts and missing ones do not take part."""
     numbers = [c.value for c in cells if isinstance(c.value, (int, float))]
-    if len(numbers) < 2:
+    best = max(numbers, default=0) if higher else min(numbers, default=0)
+    if len(numbers) < 2 or (higher and best == 0):  # nobody is good who has nothing
         return cells
-    best = max(numbers) if higher else min(numbers)
     return [c._replace(best=isinstance(c.value, (int, float)) and shown(c.value, c.digits) == shown(best, c.digits))
             for c in cells]
 

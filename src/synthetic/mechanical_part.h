@@ -30,8 +30,8 @@ constexpr std::size_t kPartNeighbors = 20;
 /// A shape with fewer points is no part of the truth.
 constexpr int kMinPartPoints = 40;
 
-/// Draws the part with this seed. The noise is uniform in [-noise_half_width, noise_half_width] along the exact normal
-/// (SPFN's protocol: across the surface is where it matters, and the spread over the surface stays even).
+/// Draws the part with this seed. The noise is uniform in [-noise_half_width, noise_half_width] along the exact normal:
+/// across the surface is where it matters, and the points stay spread evenly over it.
 /// The same seed gives the same part at any noise. Throws std::invalid_argument for a half width outside 0 to 0.1 or
 /// fewer than 500 points.
 MechanicalPart makeMechanicalPart(std::uint64_t seed, double noise_half_width, std::size_t points = 8096);
