@@ -12,11 +12,12 @@
 namespace primitect::eval {
 
 /// The peer with this name, or nothing if there is none:
-/// "cgal"                 CGAL Efficient RANSAC on all points, default adaptive parameters; "cgal-2048" on 2048 of
-/// them;
-///                        with a kind behind it ("cgal:spheres", "cgal-2048:cones") only that kind
+/// "cgal"                 CGAL Efficient RANSAC on all points, default adaptive parameters; "cgal-2048" on 2048 of them
+///                        (any count); with a kind behind it ("cgal:spheres", "cgal-2048:cones") only that kind
 /// "pcl-sac"              PCL SACSegmentationFromNormals in a loop: plane, sphere, cylinder, cone
 /// "pcl-planes"           PCL OrganizedMultiPlaneSegmentation, organized clouds only
+/// All get the same normals, see peer_cloud.h; converting the cloud to what a library wants is in nobody's time.
+/// Throws std::runtime_error when the peer was not built.
 std::optional<Method> makePeer(const std::string& name);
 
 /// Names of makePeer() without the kinds, those that were built only.

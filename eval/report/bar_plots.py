@@ -49,10 +49,11 @@ def runtime(results, folder):
     handles = [Patch(color=contestants.COLOURS[method], label=contestants.title(method)) for method in methods]
     handles.append(Line2D([], [], marker="_", markersize=13, markeredgewidth=2, color="#222222", linestyle="",
                           label="printed in the paper"))
-    return figures.finish(figure, "Time for one cloud of 160,801 points, one thread", os.path.join(folder, "runtime.png"),
+    return figures.finish(figure, "Time for one cloud of 160,801 points, one thread",
+                          os.path.join(folder, "runtime.png"),
                           (handles, [handle.get_label() for handle in handles]),
-                          note="Without the search tree of Efficient RANSAC, as in the paper, whose machine was another one. "
-                               "Logarithmic scale.")
+                          note="Without the search tree of Efficient RANSAC, as in the paper, whose machine was "
+                               "another one. Logarithmic scale.")
 
 
 def tabletop_errors(results, folder):
@@ -67,23 +68,25 @@ def tabletop_errors(results, folder):
             if measure is None:
                 one.set_axis_off()
                 continue
-            boxes(one, [[measure[2] * value for value in summary.errors(summary.lines_of(results, chosen[0], method),
-                                                                        kind, measure[0])] for method in methods], methods)
+            found = [summary.errors(summary.lines_of(results, chosen[0], method), kind, measure[0])
+                     for method in methods]
+            boxes(one, [[measure[2] * value for value in values] for values in found], methods)
             one.set_title("%s: %s" % (kind, measure[1]), loc="left")
     handles = [Patch(color=contestants.COLOURS[method], label=contestants.title(method)) for method in methods]
     return figures.finish(figure, "Errors of the parameters on simulated depth frames, right type only",
                           os.path.join(folder, "tabletop_errors.png"),
                           (handles, [handle.get_label() for handle in handles]),
-                          note="Line: median, box: the middle half, whiskers: 5 to 95 %; logarithmic.\nBelow each box: how many shapes "
-                               "it stands for. A method that finds fewer finds the easy ones.")
+                          note="Line: median, box: the middle half, whiskers: 5 to 95 %; logarithmic.\n"
+                               "Below each box: how many shapes it stands for. A method that finds fewer finds the "
+                               "easy ones.")
 
 
 def boxes(axes, values, methods):
     """One box a method, the number of values below it."""
     for place, (some, method) in enumerate(zip(values, methods)):
         if some:
-            drawn = axes.boxplot([some], positions=[place], widths=0.65, whis=(5, 95), showfliers=False, patch_artist=True,
-                                 medianprops={"color": "black"})
+            drawn = axes.boxplot([some], positions=[place], widths=0.65, whis=(5, 95), showfliers=False,
+                                 patch_artist=True, medianprops={"color": "black"})
             drawn["boxes"][0].set_facecolor(contestants.COLOURS[method])
     axes.set_xlim(-0.6, len(methods) - 0.4)
     axes.set_xticks(range(len(methods)), [str(len(some)) for some in values], fontsize=8)

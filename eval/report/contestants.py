@@ -26,7 +26,7 @@ OURS = ("default", "paper", "b", "c", "d", "e")
 
 
 def base(method):
-    """The method that a variant belongs to: "default-512" and "default-planes" are "default", "cgal:cones" is "cgal"."""
+    """The method that a variant belongs to: "default-512" and "default-planes" are "default", "cgal:cones" is cgal."""
     name = method.split("=")[0].split(":")[0]
     if name in TITLES:
         return name

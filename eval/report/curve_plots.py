@@ -13,14 +13,14 @@ TYPED = (("typed_precision", "precision (%)"), ("typed_recall", "recall (%)"))
 def coverage(results, folder):
     """p- and s-coverage on the mixed clouds."""
     chosen = [e for e in summary.of_part(results, "paper") if e.recipe.set == "paper-mixed"]
-    return coverage_of(results, chosen, "How well the shapes that were found cover the cloud: mixed clouds, noise 0.01 m",
+    return coverage_of(results, chosen, "How well the shapes found cover the cloud: mixed clouds, noise 0.01 m",
                        os.path.join(folder, "coverage.png"), ("truth", "default", "paper", "b", "cgal", "pcl-sac"))
 
 
 def parts_coverage(results, folder):
     """The same on mechanical parts."""
     return coverage_of(results, summary.of_part(results, "parts"),
-                       "How well the shapes that were found cover the cloud: mechanical parts",
+                       "How well the shapes found cover the cloud: mechanical parts",
                        os.path.join(folder, "parts_coverage.png"), ("truth", "default", "paper", "cgal", "pcl-sac"))
 
 
@@ -90,9 +90,10 @@ def noise_scored_within(results, angle, path, title):
         axes[0][column].set_title(kind)
         axes[2][column].set_xlabel("noise (mm)")
     return figures.finish(figure, title, path,
-                          note="Precision and recall count detections with the right type only. DOD: distance between found "
-                               "and true surfaces, smaller is better.\nThe dotted line is what the scoring gives the truth "
-                               "itself: no method can be expected above it.")
+                          note="Precision and recall count detections with the right type only. DOD: distance between "
+                               "found and true surfaces, smaller is better.\n"
+                               "The dotted line is what the scoring gives the truth itself: no method can be expected "
+                               "above it.")
 
 
 def variants(results, folder, name, chosen, places, label, title):
@@ -145,8 +146,8 @@ def tabletop_noise(results, folder):
         one.set_ylim(0 if measure == "typed_dod" else -3, None if measure == "typed_dod" else 103)
     return figures.finish(figure, "Simulated depth frames of cluttered tables: against sensor noise",
                           os.path.join(folder, "tabletop_noise.png"),
-                          note="Detections with the right type only. PCL multi-plane looks for planes alone and is scored on "
-                               "all kinds here.")
+                          note="Detections with the right type only. PCL multi-plane looks for planes alone and is "
+                               "scored on all kinds here.")
 
 
 def samples(results, folder):
@@ -171,8 +172,9 @@ def samples(results, folder):
         one.set_title(titles.get(experiment.recipe.set, experiment.recipe.set), loc="left")
         figures.percent_axis(one, "F1, right type (%)")
     return figures.finish(figure, "Accuracy against time", os.path.join(folder, "samples.png"),
-                          note="F1: harmonic mean of precision and recall. Numbers beside the lines: samples drawn in a round. Up and to "
-                               "the left is better.\nPeers: time without the making of the normals that they are given.")
+                          note="F1: harmonic mean of precision and recall. Numbers beside the lines: samples drawn in "
+                               "a round. Up and to the left is better.\n"
+                               "Peers: time without the making of the normals that they are given.")
 
 
 def time_and_f1(results, experiment, method):

@@ -32,7 +32,7 @@ def git(root, *arguments):
 
 
 def commit_of(root):
-    """The last commit that changed the measured code; "-dirty-" and a digest of the difference where it was changed since."""
+    """The last commit that changed the measured code, with "-dirty-" and a digest of changes since, if any."""
     head = git(root, "log", "-1", "--format=%h", "--", *MEASURED)
     if head is None:
         return "unknown (no git)"

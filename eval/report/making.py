@@ -7,11 +7,12 @@ import os
 from report import (bar_plots, contestants, curve_plots, more_tables, page, paper_tables, pictures, plan, summary,
                     tables)
 
-TABLES = (paper_tables.detection, paper_tables.dod, paper_tables.typed, paper_tables.runtime, more_tables.tabletop,
-          more_tables.tabletop_noise, paper_tables.parts, more_tables.noise, more_tables.wide_noise, more_tables.outliers, more_tables.fewer_points,
-          more_tables.concave, more_tables.samples)
-PLOTS = (curve_plots.coverage, curve_plots.noise, curve_plots.wide_noise, curve_plots.outliers, curve_plots.points, curve_plots.samples,
-         curve_plots.tabletop_noise, curve_plots.parts_coverage, bar_plots.runtime, bar_plots.tabletop_errors)
+TABLES = (paper_tables.detection, paper_tables.dod, paper_tables.typed, paper_tables.runtime, more_tables.samples,
+          more_tables.tabletop, more_tables.tabletop_noise, more_tables.noise, more_tables.wide_noise,
+          more_tables.outliers, more_tables.fewer_points, more_tables.concave, paper_tables.parts)
+PLOTS = (curve_plots.coverage, curve_plots.noise, curve_plots.wide_noise, curve_plots.outliers, curve_plots.points,
+         curve_plots.samples, curve_plots.tabletop_noise, curve_plots.parts_coverage, bar_plots.runtime,
+         bar_plots.tabletop_errors)
 # heading, tables and plots of each chapter of the page
 CHAPTERS = (
     ("The paper's data set", ("detection", "dod", "typed"), ("coverage.png",)),
@@ -23,9 +24,10 @@ CHAPTERS = (
 )
 BUSY_LOAD = 1.5  # the measurement itself is 1
 INTRODUCTION = (
-    "All methods ran on the same clouds, in turn, on one thread. Every cloud is made from its seed with the truth of each point. "
-    "A point belongs to the closest shape within 0.05 m (parts and depth frames: the set's own distance) whose normal agrees "
-    "within 15 degrees. A detection is correct when it and a true region share 60 % of the points of both.")
+    "All methods ran on the same clouds, in turn, on one thread. Every cloud is made from its seed with the truth of "
+    "each point. A point belongs to the closest shape within 0.05 m (parts and depth frames: the set's own distance) "
+    "whose normal agrees within 15 degrees. A detection is correct when it and a true region share 60 % of the points "
+    "of both.")
 
 
 def seeds_text(results):
@@ -63,8 +65,8 @@ def warnings_of(results, faults, missing):
     found += ["A call failed, its clouds are missing: " + fault for fault in faults]
     busy = sum(1 for line in results.by_key.values() if line.get("load", 0) > BUSY_LOAD)
     if 10 * busy > len(results.by_key):
-        found.append("The machine was busy with other work during %d of %d measurements (load above %g): times are too long "
-                     "and cannot be compared." % (busy, len(results.by_key), BUSY_LOAD))
+        found.append("The machine was busy with other work during %d of %d measurements (load above %g): times are too "
+                     "long and cannot be compared." % (busy, len(results.by_key), BUSY_LOAD))
     given_up = {}
     for key, line in results.by_key.items():
         if line["failure"]:
@@ -116,13 +118,14 @@ def write_scores(results, path, head):
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.write(head + "# percent, DOD in multiples of the noise (tabletop: mm), medians of ms\n")
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["part"] + list(plan.Recipe._fields) + ["method", "kind"] + names + ["total_ms", "vote_ms", "tree_ms"])
+        writer.writerow(["part"] + list(plan.Recipe._fields) + ["method", "kind"] + names
+                        + ["total_ms", "vote_ms", "tree_ms"])
         for experiment, method, lines in every(results):
             times = [summary.median(summary.times(lines, name)) for name in ("total_ms", "vote_ms", "prepare_ms")]
             for group in ("all",) + summary.KINDS:
-                figures_of_group = summary.scores(lines, group)
+                figures = summary.scores(lines, group)
                 writer.writerow([experiment.part] + list(experiment.recipe) + [lines[0]["method"], group] + [
-                    tables.csv_text(figures_of_group[name]) for name in names] + [tables.csv_text(time) for time in times])
+                    tables.csv_text(value) for value in [figures[name] for name in names] + times])
 
 
 def write_coverage(results, path, head):

@@ -25,11 +25,11 @@ def tabletop(results):
             rows += [(section_title(group), None)]
             rows += mark_columns(block, (None, None, True, True, True, False, False, False, False, False, False))
     return Table("tabletop", "Simulated depth frames of cluttered tables, 640 x 480",
-                 "Percent with the right type; DOD: mean distance between found and true surface; errors: medians over "
-                 "detections with the right type, in the order written beside the kind. Time: median per frame from cloud to "
-                 "shapes. Ours makes its normals within that time; the peers are given normals, whose making is not in "
-                 "theirs. PCL multi-plane looks for planes only. A method that finds fewer shapes finds the easy ones: read "
-                 "DOD and errors with the recall.",
+                 "Percent with the right type; DOD: mean distance between found and true surface; errors: medians "
+                 "over detections with the right type, in the order written beside the kind. Time: median per frame "
+                 "from cloud to shapes. Ours makes its normals within that time; the peers are given normals, whose "
+                 "making is not in theirs. PCL multi-plane looks for planes only. A method that finds fewer shapes "
+                 "finds the easy ones: read DOD and errors with the recall.",
                  [("", 2), ("right type", 3), ("", 2), ("median parameter errors", 3), ("", 1)],
                  ["frames", "true shapes", "precision", "recall", "F1", "DOD mm", "noise %", "1st", "2nd", "3rd", "ms"],
                  rows)
@@ -46,7 +46,8 @@ def section_title(group):
 def tabletop_cells(lines, group):
     figures = summary.scores(lines, group)
     cells = [cell(figures["clouds"], 0), cell(figures["truths"], 0), cell(figures["typed_precision"]),
-             cell(figures["typed_recall"]), cell(figures["typed_f1"]), cell(figures["typed_dod"], 2), cell(figures["noise"])]
+             cell(figures["typed_recall"]), cell(figures["typed_f1"]), cell(figures["typed_dod"], 2),
+             cell(figures["noise"])]
     medians = []
     for measure, _, factor in ERRORS.get(group, ()):
         value = summary.median(summary.errors(lines, group, measure))
@@ -79,15 +80,15 @@ def crossed(results, chosen, key, title, note, heading, dod_text):
 def noise(results):
     """The paper's sets at five noise levels."""
     return noise_scored_within(results, plan.USUAL_ANGLE, "noise", "Noise: the paper's sets at five levels",
-                               "The truth handed in loses, too: with more noise the normals of the cloud leave the 15 degrees "
-                               "of the scoring, so it marks what can be reached at most.")
+                               "The truth handed in loses, too: with more noise the normals of the cloud leave the 15 "
+                               "degrees of the scoring, so it marks what can be reached at most.")
 
 
 def wide_noise(results):
     """The same, scored with normals that may be further off."""
     return noise_scored_within(results, plan.WIDE_ANGLE, "noise_wide", "Strong noise, scored with a wider angle",
-                               "A point's normal may be %g degrees off instead of 15, so that the scoring no longer hides "
-                               "what was found." % plan.WIDE_ANGLE)
+                               "A point's normal may be %g degrees off instead of 15, so that the scoring no longer "
+                               "hides what was found." % plan.WIDE_ANGLE)
 
 
 def noise_scored_within(results, angle, key, title, note):
@@ -100,8 +101,8 @@ def noise_scored_within(results, angle, key, title, note):
 def outliers(results):
     chosen = [e for e in summary.of_part(results, "variants") if e.recipe.set == "paper-mixed" and e.recipe.keep == 1.0]
     return crossed(results, [("", chosen)] if chosen else [], "outliers", "Outliers: mixed clouds with points anywhere",
-                   "Points thrown evenly into the bounding box.", lambda e: "%g %% outliers" % (100 * e.recipe.outliers),
-                   "multiples of the noise")
+                   "Points thrown evenly into the bounding box.",
+                   lambda e: "%g %% outliers" % (100 * e.recipe.outliers), "multiples of the noise")
 
 
 def fewer_points(results):
@@ -141,5 +142,6 @@ def samples(results):
                     cell(figures["typed_dod"], 2)]))
         rows += [(experiment.recipe.set, None)] + mark_columns(block, (None, False, True, True, True, False))
     return Table("samples", "Accuracy against time: several numbers of samples",
-                 "Percent with the right type; median time per cloud; DOD in multiples of the noise, on tabletop in mm.",
+                 "Percent with the right type; median time per cloud; DOD in multiples of the noise, on tabletop in "
+                 "mm.",
                  [("", 2), ("right type", 4)], ["clouds", "ms", "precision", "recall", "F1", "DOD"], rows)

@@ -7,8 +7,8 @@ from report.tables import Table, cell, clouds_text, mark_best, mark_columns
 DETECTION_COLUMNS = (("cgal", "(a)"), ("b", "(b)"), ("paper", "ours"), ("default", "default"))
 DOD_COLUMNS = (("cgal", "(a)"), ("b", "(b)"), ("c", "(c)"), ("d", "(d)"), ("e", "(e)"), ("paper", "ours"),
                ("default", "default"))
-WHO = ("(a) CGAL Efficient RANSAC, (b) Drost* baseline, ours: the paper's method (preset paper), default: this package's "
-       "default. In brackets the figure printed in the paper; bold: best of this run. ")
+WHO = ("(a) CGAL Efficient RANSAC, (b) Drost* baseline, ours: the paper's method (preset paper), default: this "
+       "package's default. In brackets the figure printed in the paper; bold: best of this run. ")
 
 
 def rows_by_kind(results):
@@ -50,8 +50,8 @@ def dod(results):
             cells.append(cell(value, 2, known))
         rows.append((label, mark_best(cells, False)))
     return Table("dod", "Distance between found and true surfaces (DOD, multiples of the noise) with ablations", WHO +
-                 "(c) NMS clustering instead of averaging, (d) no averages over bins, (e) no spreading of votes. "
-                 "Mean over correct detections; smaller is better.",
+                 "(c) NMS clustering instead of averaging, (d) no averages over bins, (e) no spreading of votes. Mean "
+                 "over correct detections; smaller is better.",
                  [("", len(DOD_COLUMNS))], [name for _, name in DOD_COLUMNS], rows)
 
 
@@ -69,9 +69,9 @@ def typed(results):
                     cell(figures[name]) for name in names] + [cell(figures["typed_dod"], 2)]))
         rows += [(kind, None)] + mark_columns(block, higher)
     return Table("typed", "Detection with the right type on the paper's data set, noise 0.01 (percent)",
-                 "Typed: a correct detection must also be of the true type. F1: harmonic mean of typed precision and recall. "
-                 "The truth's own row shows what the scoring allows at best. A row with fewer clouds was measured on the first ones "
-                 "only.",
+                 "Typed: a correct detection must also be of the true type. F1: harmonic mean of typed precision and "
+                 "recall. The truth's own row shows what the scoring allows at best. A row with fewer clouds was "
+                 "measured on the first ones only.",
                  [("", 1), ("any type", 2), ("right type", 4)],
                  ["clouds", "precision", "recall", "precision", "recall", "F1", "DOD (noise)"], rows)
 
@@ -108,9 +108,10 @@ def runtime(results):
         ("CGAL, all points, with search tree", row("cgal")), ("CGAL, 2048 points, with search tree", row("cgal-2048"))]
     clouds = len(summary.lines_of(results, experiment, "default"))
     return Table("runtime", "Runtime on %s of 160,801 points, mixed, one thread (ms)" % clouds_text(clouds),
-                 "Median over the clouds, best of %d runs on each. Speed-up: how many times faster than CGAL on all points "
-                 "without its search tree, in the same column. In brackets the paper's figures, on another machine; its "
-                 "RANSAC times leave out the search tree. The normals come with the cloud, for all methods." % experiment.repeat,
+                 "Median over the clouds, best of %d runs on each. Speed-up: how many times faster than CGAL on all "
+                 "points without its search tree, in the same column. In brackets the paper's figures, on another "
+                 "machine; its RANSAC times leave out the search tree. The normals come with the cloud, for all "
+                 "methods." % experiment.repeat,
                  [(column, 2) for column in columns], ["ms", "speed-up"] * len(columns), rows)
 
 
@@ -138,10 +139,11 @@ def parts(results):
         known = published.TRACEPARTS[name]
         rows.append((name + ", printed in the paper", [cell(None), cell(None, 1, known["p_coverage_001"]),
                                                        cell(None, 1, known["p_coverage_002"]),
-                                                       cell(None, 1, known["type"]), cell(None), cell(None), cell(None)]))
+                                                       cell(None, 1, known["type"])] + [cell(None)] * 3))
     return Table("parts", "Mechanical parts, 8096 points (percent)",
                  "THE DATA IS NOT THE SAME: the figures in brackets were measured on traceparts (CAD parts, with the "
-                 "evaluation of SPFN's authors), ours on generated parts of that style. They show the order of magnitude "
-                 "only; SPFN was not run here. Right type: true shapes whose best overlapping detection has their type.",
+                 "evaluation of SPFN's authors), ours on generated parts of that style. They show the order of "
+                 "magnitude only; SPFN was not run here. Right type: true shapes whose best overlapping detection has "
+                 "their type.",
                  [("", 1), ("p-coverage", 2), ("", 1), ("typed", 2), ("", 1)],
                  ["clouds", "within 0.01", "within 0.02", "right type", "precision", "recall", "ms"], rows)

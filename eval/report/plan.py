@@ -74,7 +74,8 @@ def noise_experiments(quick):
     methods = ("truth", "default", "paper", "cgal") + (() if quick else ("pcl-sac",))
     for kind in KINDS:
         for sigma in SIGMAS:
-            yield Experiment("noise", Recipe("paper-" + kind, sigma), seeds_of(methods, 1 if quick else 10, pcl_sac=2), 2)
+            yield Experiment("noise", Recipe("paper-" + kind, sigma),
+                             seeds_of(methods, 1 if quick else 10, pcl_sac=2), 2)
     for kind in KINDS:
         for sigma in WIDE_SIGMAS:
             yield Experiment("noise", Recipe("paper-" + kind, sigma, angle=WIDE_ANGLE),

@@ -37,15 +37,16 @@ def summary_table(summary):
     rows = []
     for preset, figures in summary["presets"].items():
         radius, time = figures["radius_error_mm"]["absolute"] or {}, figures["total_ms"] or {}
-        rows.append(("primitect, " + preset, [cell(found_text(figures["recall"][kind])) for kind in ("all",) + KINDS] + [
-            cell(found_text(figures["optional"])), cell(figures["false_curved_per_frame"], 2), cell(figures["reported_twice"], 0),
+        found = [found_text(figures["recall"][kind]) for kind in ("all",) + KINDS] + [found_text(figures["optional"])]
+        rows.append(("primitect, " + preset, [cell(text) for text in found] + [
+            cell(figures["false_curved_per_frame"], 2), cell(figures["reported_twice"], 0),
             cell(radius.get("median"), 1), cell(radius.get("p90"), 1), cell(time.get("median"), 1)]))
     return Table("frames_table", "%d recorded frames with labels" % len(summary["frames"]),
-                 "Found: objects that must be found, by kind, then those that may be. False: curved shapes a frame that are "
-                 "no object. Radius errors: absolute. Time: median, from cloud to shapes.",
+                 "Found: objects that must be found, by kind, then those that may be. False: curved shapes a frame "
+                 "that are no object. Radius errors: absolute. Time: median, from cloud to shapes.",
                  [("objects found", 6), ("a frame", 1), ("", 1), ("radius error mm", 2), ("", 1)],
-                 ["all", "planes", "spheres", "cylinders", "cones", "optional", "false curved", "found twice", "median", "90 %",
-                  "ms"], rows)
+                 ["all", "planes", "spheres", "cylinders", "cones", "optional", "false curved", "found twice",
+                  "median", "90 %", "ms"], rows)
 
 
 def missed_and_false(figures):

@@ -62,7 +62,7 @@ def median(values):
 
 
 def times(lines, name="total_ms"):
-    """Times of the clouds on which the method did not give up; the truth takes none; -1, a stage that is not there, is out."""
+    """Times of the clouds on which the method did not give up, without -1: has no such stage. The truth takes none."""
     return [line[name] for line in lines if not line["failure"] and line[name] >= 0 and line["method"] != "truth"]
 
 

@@ -5,7 +5,8 @@ import csv
 import html
 from collections import namedtuple
 
-# groups: [(heading, number of columns)] above columns: [heading]; rows: [(label, [Cell])], a section with None for cells.
+# groups: [(heading, number of columns)] above columns: [heading]; rows: [(label, [Cell])], None for the cells of a
+# section's heading.
 Table = namedtuple("Table", "key title note groups columns rows")
 Cell = namedtuple("Cell", "value digits published best")
 
@@ -67,7 +68,9 @@ def write_csv(table, path, head):
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.write(head + "# %s\n" % table.title)
         writer = csv.writer(file, lineterminator="\n")
-        columns = [part for name, has in zip(names, published) for part in ([name, name + " (paper)"] if has else [name])]
+        columns = []
+        for name, has in zip(names, published):
+            columns += [name, name + " (paper)"] if has else [name]
         writer.writerow(["section", "row"] + columns)
         for label, cells in table.rows:
             if cells is None:
@@ -117,7 +120,8 @@ def html_table(table):
                                            for i, name in enumerate(table.columns)) + "</tr></thead><tbody>")
     for label, cells in table.rows:
         if cells is None:
-            parts.append('<tr class="section"><th colspan="%d">%s</th></tr>' % (len(table.columns) + 1, html.escape(label)))
+            parts.append('<tr class="section"><th colspan="%d">%s</th></tr>'
+                         % (len(table.columns) + 1, html.escape(label)))
         else:
             parts.append("<tr><th>%s</th>" % html.escape(label) + "".join(
                 "<td%s>%s</td>" % (starts[i], html_cell(one)) for i, one in enumerate(cells)) + "</tr>")

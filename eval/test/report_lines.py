@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """A line as compare writes it, with counts of one's choice, for the tests of the report."""
-COUNTS = ("truths", "found", "correct", "typed_correct", "missed", "noise", "over", "under", "type_right", "dod", "typed_dod")
+COUNTS = ("truths", "found", "correct", "typed_correct", "missed", "noise", "over", "under", "type_right", "dod",
+          "typed_dod")
 KINDS = ("plane", "sphere", "cylinder", "cone")
 
 

@@ -167,8 +167,8 @@ def test_a_stopped_run_says_how_to_go_on_and_does():
     with tempfile.TemporaryDirectory() as folder:
         made_up_program(folder)
         os.environ["SLOW"] = "0.2"
-        command = [sys.executable, os.path.join(EVAL, "run"), "--quick", "--only", "parts", "--programs", folder, "--out",
-                   os.path.join(folder, "out")]
+        command = [sys.executable, os.path.join(EVAL, "run"), "--quick", "--only", "parts", "--programs", folder,
+                   "--out", os.path.join(folder, "out")]
         process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
                                    start_new_session=True)
         path = os.path.join(folder, "out", "lines.jsonl")
