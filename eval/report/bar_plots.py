@@ -8,6 +8,7 @@ from matplotlib.patches import Patch
 
 from report import contestants, figures, plan, published, summary
 
+FEWEST_FOR_BOX = 5
 # rows of panels: kind; columns: position, direction, size
 PANELS = {
     "plane": (("position", "offset along the normal (mm)", 1000), ("axis_deg", "normal (deg)", 1), None),
@@ -36,12 +37,14 @@ def runtime(results, folder):
                 continue
             x = place + (index - 1.5) * width
             one.bar(x, value, 0.92 * width, color=contestants.COLOURS[method])
-            one.annotate("%.0f" % value if value >= 10 else "%.1f" % value, (x, value), xytext=(0, 2),
-                         textcoords="offset points", ha="center", fontsize=8)
+            one.annotate("%.0f" % value if value >= 10 else "%.1f" % value, (x, 0), xycoords=("data", "axes fraction"),
+                         xytext=(0, 3), textcoords="offset points", ha="center", fontsize=8.5, fontweight="bold",
+                         color="black" if method == "cgal-2048" else "white")
             printed = published.figure(published.RUNTIME, published.COLUMN_OF.get(method), column)
             if printed:
                 one.plot(x, printed, marker="_", markersize=13, markeredgewidth=2, color="#222222")
     one.set_yscale("log")
+    one.set_ylim(bottom=one.get_ylim()[0] / 2)  # room for the numbers
     figures.plain_log(one.yaxis)
     one.set_ylabel("median time (ms)")
     one.set_xticks(range(len(columns)), ["all four kinds"] + [kind + " only" for kind in columns[1:]])
@@ -76,15 +79,17 @@ def tabletop_errors(results, folder):
     return figures.finish(figure, "Errors of the parameters on simulated depth frames, right type only",
                           os.path.join(folder, "tabletop_errors.png"),
                           (handles, [handle.get_label() for handle in handles]),
-                          note="Line: median, box: the middle half, whiskers: 5 to 95 %; logarithmic.\n"
-                               "Below each box: how many shapes it stands for. A method that finds fewer finds the "
-                               "easy ones.")
+                          note="Line: median, box: the middle half, whiskers: 5 to 95 %, dots: fewer than five shapes. "
+                               "Logarithmic scale.\nBelow: how many shapes. A method that finds fewer finds "
+                               "the easy ones.")
 
 
 def boxes(axes, values, methods):
-    """One box a method, the number of values below it."""
+    """One box a method, or dots where the values are few; their number below."""
     for place, (some, method) in enumerate(zip(values, methods)):
-        if some:
+        if len(some) < FEWEST_FOR_BOX:
+            axes.plot([place] * len(some), some, "o", color=contestants.COLOURS[method])
+        else:
             drawn = axes.boxplot([some], positions=[place], widths=0.65, whis=(5, 95), showfliers=False,
                                  patch_artist=True, medianprops={"color": "black"})
             drawn["boxes"][0].set_facecolor(contestants.COLOURS[method])
@@ -92,5 +97,9 @@ def boxes(axes, values, methods):
     axes.set_xticks(range(len(methods)), [str(len(some)) for some in values], fontsize=8)
     axes.tick_params(axis="x", length=0)
     axes.set_yscale("log")
+    low, high = axes.get_ylim()
+    if high < 10 * low:  # at least a decade, or nearly equal values look far apart
+        middle = (low * high) ** 0.5
+        axes.set_ylim(middle / 10 ** 0.5, middle * 10 ** 0.5)
     figures.plain_log(axes.yaxis, short=True)
     axes.grid(False, axis="x")

@@ -81,19 +81,18 @@ def noise_scored_within(results, angle, path, title):
             one = axes[row][column]
             against(one, results, chosen, [1000 * e.recipe.sigma for e in chosen], measure,
                     ("truth", "default", "paper", "cgal", "pcl-sac"))
-            if measure != "typed_dod":
-                one.set_ylim(-3, 103)
-            else:
-                one.set_ylim(bottom=0)
             one.set_xticks(sorted({1000 * e.recipe.sigma for e in experiments}))
             one.set_ylabel(label if column == 0 else "")
         axes[0][column].set_title(kind)
         axes[2][column].set_xlabel("noise (mm)")
+    # The rows share their axis: its limits are known when all is drawn.
+    for row, limits in enumerate(((-3, 103), (-3, 103), (0, None))):
+        axes[row][0].set_ylim(*limits)
     return figures.finish(figure, title, path,
                           note="Precision and recall count detections with the right type only. DOD: distance between "
                                "found and true surfaces, smaller is better.\n"
                                "The dotted line is what the scoring gives the truth itself: no method can be expected "
-                               "above it.")
+                               "to find more.")
 
 
 def variants(results, folder, name, chosen, places, label, title):

@@ -26,7 +26,8 @@ def finish(figure, title, path, legend=None, note=""):
     """Title on top, legend and note below, written as PNG. legend: (handles, labels); None: those of all axes."""
     handles, labels = legend or entries(figure)
     height = figure.get_size_inches()[1]
-    columns = min(len(labels), 4) or 1
+    widest = 0.65 + 0.078 * max(map(len, labels), default=0)  # inch, of a legend's column
+    columns = max(1, min(len(labels), 4, int(WIDTH / widest)))
     below = (0.24 * -(-len(labels) // columns) + (0.24 * (note.count("\n") + 1) if note else 0) + 0.1) / height
     figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
     figure.tight_layout(rect=(0, below, 1, 1 - 0.02 / height))

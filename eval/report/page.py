@@ -17,13 +17,14 @@ nav a { margin-right: 1.1em; }
 a { color: #0b62b8; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 12.5px; font-variant-numeric: tabular-nums; }
-th, td { padding: .25em .45em; text-align: right; white-space: nowrap; }
+th, td { padding: .25em .45em; text-align: right; vertical-align: top; white-space: nowrap; }
 tbody th { text-align: left; font-weight: normal; }
 thead th { border-bottom: 1px solid #888; }
 th.group { text-align: center; border-left: 1px solid #bbb; }
 td.first, th.first { border-left: 1px solid #bbb; }
 tbody tr:nth-child(even) { background: #f6f8fa; }
 tr.section th { font-weight: bold; background: #e9eff6; text-align: left; }
+table.wide .published { display: block; }
 .published { color: #888; font-size: .85em; }
 .note, .facts { color: #555; font-size: 13px; max-width: 900px; }
 figure { margin: 1.2em 0; }

@@ -135,7 +135,7 @@ def parts(results):
                 cell(figures["typed_precision"]), cell(figures["typed_recall"]),
                 cell(summary.median(summary.times(lines)), 1)]))
     rows = mark_columns(rows, (None, True, True, True, True, True, False))
-    for name in ("SPFN", "SPFN without segmentation loss"):
+    for name in ("SPFN", "SPFN without segmentation loss") if rows else ():
         known = published.TRACEPARTS[name]
         rows.append((name + ", printed in the paper", [cell(None), cell(None, 1, known["p_coverage_001"]),
                                                        cell(None, 1, known["p_coverage_002"]),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of a few clouds with what each method found, drawn by clouds.py."""
 import os
+import shutil
 import subprocess
 
 PICTURES = (("paper-mixed", 2), ("tabletop", 2), ("parts", 1))  # data set, how many of its first seeds
@@ -35,6 +36,7 @@ def draw(program, folder, quick, first_seed, methods, note):
             clouds.draw_scene(os.path.join(dumps, "%s_%d.json" % (name, seed)), list(methods), png)
         except (subprocess.CalledProcessError, OSError, ValueError, KeyError) as error:
             note("No picture of %s, seed %d: %s" % (name, seed, getattr(error, "stderr", None) or error))
+    shutil.rmtree(dumps)  # large, and made again at once
 
 
 def dump(program, name, seed, methods, folder):

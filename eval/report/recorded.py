@@ -44,8 +44,8 @@ def summary_table(summary):
     return Table("frames_table", "%d recorded frames with labels" % len(summary["frames"]),
                  "Found: objects that must be found, by kind, then those that may be. False: curved shapes a frame "
                  "that are no object. Radius errors: absolute. Time: median, from cloud to shapes.",
-                 [("objects found", 6), ("a frame", 1), ("", 1), ("radius error mm", 2), ("", 1)],
-                 ["all", "planes", "spheres", "cylinders", "cones", "optional", "false curved", "found twice",
+                 [("objects found", 6), ("", 2), ("radius error mm", 2), ("", 1)],
+                 ["all", "planes", "spheres", "cylinders", "cones", "optional", "false per frame", "found twice",
                   "median", "90 %", "ms"], rows)
 
 

@@ -8,6 +8,7 @@ from collections import namedtuple
 # groups: [(heading, number of columns)] above columns: [heading]; rows: [(label, [Cell])], None for the cells of a
 # section's heading.
 Table = namedtuple("Table", "key title note groups columns rows")
+WIDE_TABLE = 12  # columns; with more, the paper's figures go below ours on the page
 Cell = namedtuple("Cell", "value digits published best")
 
 
@@ -111,7 +112,8 @@ def published_text(one):
 
 def html_table(table):
     """A figure element with heading, table and note."""
-    parts = ['<section class="table"><h3>%s</h3><div class="scroll"><table><thead>' % html.escape(table.title)]
+    parts = ['<section class="table"><h3>%s</h3><div class="scroll"><table%s><thead>'
+             % (html.escape(table.title), ' class="wide"' if len(table.columns) > WIDE_TABLE else "")]
     if any(name for name, _ in table.groups):
         parts.append("<tr><th></th>" + "".join('<th colspan="%d" class="group">%s</th>' % (span, html.escape(name))
                                                for name, span in table.groups) + "</tr>")
