@@ -51,7 +51,7 @@ def found_colors(scene, match, colors):
 
 def painted(labels, colors):
     """A colour for each point; grey for what belongs to nothing."""
-    return numpy.array(list(colors) + [UNASSIGNED])[labels]
+    return numpy.array(list(colors) + [UNASSIGNED])[numpy.maximum(labels, -1)]
 
 
 def write_kinds(axes, view, labels, shapes, true_shapes):

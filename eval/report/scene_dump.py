@@ -7,6 +7,7 @@ import os
 import numpy
 
 OVERLAP = 0.6  # T of SegComp: a pair is correct when it shares as much of both
+CLUTTER = -2  # label of a surface that is none of the four kinds; -1: of no shape
 
 
 def read_values(folder, name, kind, count):
@@ -58,16 +59,18 @@ def overlaps(scene, labels, count):
 
 def score_scene(scene, result):
     """{"truths", "found", "correct", "typed", "pairs": {detection: true shape}} of one result, as case_score.h counts:
-    points on shapes that need not be found count for nobody, nor does a detection that lies mostly on them."""
+    points on shapes that need not be found count for nobody, nor does a detection that lies mostly on them; points on
+    clutter count for no pair."""
     must = numpy.array([shape["must"] for shape in scene["truth"]], bool)
     shapes = result["primitives"]
     shared = overlaps(scene, result["labels"], len(shapes))
-    optional = shared[~must].sum(axis=0)
-    own = numpy.bincount(result["labels"][result["labels"] >= 0], minlength=len(shapes)) - optional
+    optional, clutter = shared[~must].sum(axis=0), scene["surface"] == CLUTTER
+    points = numpy.bincount(result["labels"][result["labels"] >= 0], minlength=len(shapes)) - optional
+    own = points - numpy.bincount(result["labels"][(result["labels"] >= 0) & clutter], minlength=len(shapes))
     size = numpy.bincount(scene["surface"][scene["surface"] >= 0], minlength=len(must))
     pairs = {d: t for t in numpy.nonzero(must)[0] for d in range(len(shapes))
              if shared[t, d] > 0 and shared[t, d] >= OVERLAP * size[t] and shared[t, d] >= OVERLAP * own[d]}
-    counted = [d for d in range(len(shapes)) if d in pairs or optional[d] <= own[d]]
+    counted = [d for d in range(len(shapes)) if d in pairs or optional[d] <= points[d]]
     typed = sum(shapes[d]["type"] == scene["truth"][t]["type"] for d, t in pairs.items())
     return {"truths": int(must.sum()), "found": len(counted), "correct": len(pairs), "typed": typed, "pairs": pairs}
 

@@ -15,16 +15,17 @@ from report import clouds, scene_dump  # noqa: E402
 
 # Ten points each of a sphere, a plane and a cylinder that need not be found, then ten of nothing.
 SURFACE = numpy.repeat([0, 1, 2, -1], 10)
+WITH_CLUTTER = numpy.repeat([0, 1, 2, scene_dump.CLUTTER], 10)
 TRUTH = [{"type": "sphere", "must": True}, {"type": "plane", "must": True}, {"type": "cylinder", "must": False}]
 
 
-def scene(labels, kinds):
+def scene(labels, kinds, surface=SURFACE):
     result = {"primitives": [{"type": kind} for kind in kinds], "labels": numpy.array(labels)}
-    return {"surface": SURFACE, "truth": TRUTH}, result
+    return {"surface": surface, "truth": TRUTH}, result
 
 
-def counts(labels, kinds):
-    score = scene_dump.score_scene(*scene(labels, kinds))
+def counts(labels, kinds, surface=SURFACE):
+    score = scene_dump.score_scene(*scene(labels, kinds, surface))
     return tuple(score[key] for key in ("truths", "found", "correct", "typed"))
 
 
@@ -47,6 +48,17 @@ class Counts(unittest.TestCase):
 
     def test_detection_mostly_on_an_optional_shape_does_not_count(self):
         self.assertEqual(counts([-1] * 20 + [0] * 12 + [-1] * 8, ["cone"]), (2, 0, 0, 0))
+
+    def test_clutter_spoils_no_pair_but_a_detection_of_it_counts(self):
+        labels = [0] * 10 + [-1] * 20 + [0] * 10
+        self.assertEqual(counts(labels, ["sphere"], WITH_CLUTTER), (2, 1, 1, 1))
+        self.assertEqual(counts(labels, ["sphere"], SURFACE), (2, 1, 0, 0))
+        self.assertEqual(counts([-1] * 30 + [0] * 10, ["sphere"], WITH_CLUTTER), (2, 1, 0, 0))
+
+    def test_clutter_is_painted_like_what_belongs_to_nothing(self):
+        colors = clouds.painted(numpy.array([0, -1, scene_dump.CLUTTER]), [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+        self.assertEqual(colors[1].tolist(), colors[2].tolist())
+        self.assertEqual(colors[0].tolist(), [1.0, 0.0, 0.0])
 
     def test_nothing_found(self):
         self.assertEqual(counts([-1] * 40, []), (2, 0, 0, 0))
