@@ -108,7 +108,13 @@ void printTable(const std::string& set, const Options& options, Contest& contest
 
 void compareOn(const std::string& set, const Options& options, LineWriter& lines) {
   Contest contest;
-  for (const std::string& text : options.methods) contest.methods.push_back(eval::makeMethod(text));
+  for (const std::string& text : options.methods) {
+    contest.methods.push_back(eval::makeMethod(text));
+    const std::string& name = contest.methods.back().name;
+    if (!contest.totals.emplace(name, eval::Totals()).second) {
+      throw std::invalid_argument("--method " + text + ": there are two methods called " + name);
+    }
+  }
   const SeedRange seeds = parseSeeds(options.seeds);
   for (std::uint64_t k = 0; k < seeds.count; ++k) {
     eval::Recipe recipe = options.recipe;
@@ -143,7 +149,7 @@ void declareOptions(CLI::App& app, Options& options) {
   app.add_option("--write", options.dump_folder, "write each cloud and what was found into this folder, for drawing")
       ->check(CLI::ExistingDirectory);
   app.add_option("--max-distance", options.rules.max_distance, "scoring: a point's distance to its shape, m")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-6, 1e6))
       ->each([&options](const std::string&) { options.own_distance = true; });
   app.add_option("--max-angle-deg", options.rules.max_angle_deg, "scoring: between its normal and the shape's")
       ->check(CLI::Range(0.0, 90.0));

@@ -17,9 +17,9 @@ struct NamedResult {
 };
 
 /// Writes FOLDER/SET_SEED.json, .f32 (rows x y z nx ny nz, NaN = missing), .i32 (LabelledCloud::surface) and for each
-/// result SET_SEED_METHOD.i32 (index of each point's detection, -1: none) and .f32 (distance to the closest detection, m);
-/// native byte order. The JSON names these files and holds all shapes.
-/// Throws std::runtime_error naming the file that could not be written.
+/// result SET_SEED_METHOD.i32 (index of each point's detection, -1: none) and .f32 (distance to the closest detection,
+/// m); native byte order. The JSON names these files and holds all shapes. Throws std::runtime_error naming the file
+/// that could not be written.
 void writeDump(const LabelledCloud& input, const std::vector<NamedResult>& results, const std::string& folder);
 
 }  // namespace primitect::eval

@@ -24,6 +24,9 @@ void countBelow(float distance, const std::vector<double>& epsilons, std::vector
 
 std::vector<int> assign(const Cloud& cloud, const std::vector<Shape>& shapes, const Rules& rules) {
   if (!cloud.hasNormals()) throw std::invalid_argument("scoring: the cloud has no normals");
+  if (!(rules.max_distance > 0.0 && rules.max_angle_deg >= 0.0 && rules.max_angle_deg <= 90.0)) {
+    throw std::invalid_argument("scoring: max_distance must be above 0 m, max_angle_deg in 0 to 90");
+  }
   const double min_cosine = std::cos(rules.max_angle_deg * std::acos(-1.0) / 180.0);
   std::vector<int> labels(cloud.size(), -1);
   for (std::size_t i = 0; i < cloud.size(); ++i) {

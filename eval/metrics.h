@@ -18,7 +18,8 @@ struct Rules {
 };
 
 /// The shape that each point belongs to: index of the closest one that passes the rules, -1: none. Missing points and
-/// points without normal belong to none. Throws std::invalid_argument for a cloud without normals.
+/// points without normal belong to none. Throws std::invalid_argument for a cloud without normals and for rules out of
+/// range.
 std::vector<int> assign(const Cloud& cloud, const std::vector<Shape>& shapes, const Rules& rules);
 
 /// How far points are from shapes, m.

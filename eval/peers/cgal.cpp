@@ -23,20 +23,45 @@ namespace {
 constexpr double kTimeout = 120.0;  // s, for one run
 
 struct Settings {
-  std::string samples = "0";  // 0: all points
+  std::string samples = "0";     // 0: all points
+  bool knows_the_noise = false;  // epsilon from the recipe instead of CGAL's default
   std::string kinds = "plane,sphere,cylinder,cone";
 };
 
 std::string programPath() { return toolsFolder() + "/peer_cgal"; }
 
 std::optional<Settings> parseName(const std::string& name) {
-  static const std::regex kPattern("cgal(?:-([1-9][0-9]{0,8}))?(?::(plane|sphere|cylinder|cone)s)?");
+  static const std::regex kPattern("cgal(?:-([1-9][0-9]{0,8})|(-3sigma))?(?::(plane|sphere|cylinder|cone)s)?");
   std::smatch parts;
   if (!std::regex_match(name, parts, kPattern)) return std::nullopt;
   Settings settings;
   if (parts[1].matched) settings.samples = parts[1];
-  if (parts[2].matched) settings.kinds = parts[2];
+  settings.knows_the_noise = parts[2].matched;
+  if (parts[3].matched) settings.kinds = parts[3];
   return settings;
+}
+
+/// Three times the noise, m; on depth frames the noise at 1.5 m.
+double epsilonFor(const LabelledCloud& input) {
+  constexpr double kOnDepthFrames = 0.01;
+  return input.cloud.organized() ? kOnDepthFrames * input.recipe.noise_scale : 3.0 * input.recipe.sigma;
+}
+
+std::vector<std::string> argumentsFor(const Settings& settings, const LabelledCloud& input, const std::string& file,
+                                      int repeat) {
+  std::vector<std::string> arguments = {file,
+                                        "--kinds",
+                                        settings.kinds,
+                                        "--samples",
+                                        settings.samples,
+                                        "--seed",
+                                        std::to_string(input.recipe.seed),
+                                        "--repeat",
+                                        std::to_string(repeat)};
+  if (settings.knows_the_noise) {
+    arguments.insert(arguments.end(), {"--epsilon", std::to_string(epsilonFor(input))});
+  }
+  return arguments;
 }
 
 void writeCloud(const Cloud& cloud, const std::vector<std::uint32_t>& points, const std::string& path) {
@@ -70,10 +95,8 @@ Answer runCgal(const Settings& settings, const LabelledCloud& input, int repeat)
     const ScratchFolder folder;
     const std::string file = folder.path("cloud.pcd");
     writeCloud(cloud, points, file);
-    const ProgramResult result = runProgram(programPath(),
-                                            {file, "--kinds", settings.kinds, "--samples", settings.samples, "--seed",
-                                             std::to_string(input.recipe.seed), "--repeat", std::to_string(repeat)},
-                                            kTimeout * repeat);
+    const ProgramResult result =
+        runProgram(programPath(), argumentsFor(settings, input, file, repeat), kTimeout * repeat);
     return result.exit_code == 0 ? parseAnswer(result.out) : failureOf(failureText(result));
   } catch (const std::exception& error) {
     return failureOf(std::string("peer_cgal: ") + error.what());

@@ -41,6 +41,7 @@ struct Options {
   std::vector<std::string> kinds = {"plane", "sphere", "cylinder", "cone"};
   std::size_t samples = 0;
   std::uint64_t seed = 1;
+  double epsilon = -1.0;  ///< m; negative: CGAL's default
   int repeat = 1;
 };
 
@@ -110,8 +111,8 @@ void addKinds(const std::vector<std::string>& kinds, Ransac& ransac) {
   if (wanted.count("cone")) ransac.add_shape_factory<CgalCone>();
 }
 
-/// The default parameters adapt to the cloud: probability 0.01, at least 1 % of the points, epsilon and cluster epsilon
-/// 1 % of the bounding box' diagonal, normals within acos 0.9.
+/// Unless epsilon is given, the default parameters, which adapt to the cloud: probability 0.01, at least 1 % of the
+/// points, epsilon and cluster epsilon 1 % of the bounding box' diagonal, normals within acos 0.9.
 Result detectOnce(Points points, const Options& options) {
   using Milliseconds = std::chrono::duration<double, std::milli>;
   CGAL::get_default_random() = CGAL::Random(static_cast<unsigned int>(options.seed));
@@ -121,7 +122,9 @@ Result detectOnce(Points points, const Options& options) {
   addKinds(options.kinds, ransac);
   ransac.preprocess();
   const auto prepared = std::chrono::steady_clock::now();
-  ransac.detect();
+  Ransac::Parameters parameters;
+  parameters.epsilon = options.epsilon;
+  ransac.detect(parameters);
   const auto end = std::chrono::steady_clock::now();
   Result result{{}, Milliseconds(prepared - start).count(), Milliseconds(end - start).count()};
   for (const auto& shape : ransac.shapes()) result.shapes.push_back(shapeOf(*shape, points));
@@ -154,6 +157,8 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"plane", "sphere", "cylinder", "cone"}));
   app.add_option("--samples", options.samples, "random points to use; 0: all")->check(CLI::Range(0, 1000000000));
   app.add_option("--seed", options.seed, "of the drawing and of the RANSAC");
+  app.add_option("--epsilon", options.epsilon, "a point's distance to its shape, m; default: 1 % of the diagonal")
+      ->check(CLI::PositiveNumber);
   app.add_option("--repeat", options.repeat, "runs; the shortest time counts")->check(CLI::Range(1, 1000));
   try {
     app.parse(argc, argv);

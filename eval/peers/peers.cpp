@@ -17,7 +17,7 @@ std::optional<Method> makePeer(const std::string& name) {
 
 std::vector<std::string> peerNames() {
   std::vector<std::string> names = {"pcl-sac", "pcl-planes"};
-  if (cgalBuilt()) names.insert(names.begin(), {"cgal", "cgal-2048"});
+  if (cgalBuilt()) names.insert(names.begin(), {"cgal", "cgal-3sigma", "cgal-2048"});
   return names;
 }
 

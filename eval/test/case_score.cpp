@@ -42,6 +42,49 @@ TEST(CaseScore, GivesDodInTheUnitOfTheCloud) {
   EXPECT_NEAR(score.errors[0].position.at(0), 0.02, 1e-7);
 }
 
+TEST(CaseScore, TakesItsRulesFromTheCloud) {
+  LabelledCloud input = shelves(1);
+  input.rules.max_distance = 0.01;
+  EXPECT_EQ(scoreCase(input, {shelf(1.02)}).all.correct, 0);
+  input = shelves(1);
+  for (std::size_t i = 0; i < 3; ++i) input.scored.z[i] = 9.0f;
+  EXPECT_EQ(scoreCase(input, {shelf(1)}).all.correct, 1);
+  input.rules.overlap = 0.8;
+  EXPECT_EQ(scoreCase(input, {shelf(1)}).all.correct, 0);
+}
+
+TEST(CaseScore, MeasuresCoverageOnTheMeasuredPoints) {
+  LabelledCloud input = shelves(1);
+  for (float& z : input.cloud.z) z += 0.03f;
+  const CaseScore score = scoreCase(input, {shelf(1)});
+  EXPECT_EQ(score.p_coverage[10], 0.0);
+  EXPECT_EQ(score.p_coverage[20], 1.0);
+}
+
+TEST(CaseScore, TakesPlaneErrorsInTheMiddleOfTheirPoints) {
+  LabelledCloud input = shelves(1);
+  // The points lie around (2, 0.5): a tilt about the x axis through y = 0 is felt half a metre away.
+  const double tilt_deg = 2.0;
+  const CaseScore score = scoreCase(input, {Plane{Vec3(0, 0, 1), tilted(tilt_deg)}});
+  EXPECT_NEAR(score.errors[0].position.at(0), 0.5 * std::sin(tilt_deg * kDegree), 1e-6);
+}
+
+TEST(CaseScore, SaysWhatIsSplitByTheTrueKindAndWhatIsJoinedByTheKindFound) {
+  LabelledCloud input = shelves(1);
+  for (std::size_t i = 0; i < 5; ++i) input.scored.z[i] = 3.0f;
+  const CaseScore split = scoreCase(input, {shelf(1), flatSphere(3)});
+  EXPECT_EQ(of(split, Kind::plane).over_segmented, 1);
+  EXPECT_EQ(split.all.over_segmented, 1);
+  EXPECT_EQ(split.all.under_segmented, 0);
+
+  LabelledCloud two = shelves(2);
+  for (std::size_t i = 10; i < 20; ++i) two.scored.z[i] = 1.0f;
+  const CaseScore joined = scoreCase(two, {flatSphere(1)});
+  EXPECT_EQ(of(joined, Kind::sphere).under_segmented, 1);
+  EXPECT_EQ(joined.all.under_segmented, 1);
+  EXPECT_EQ(joined.all.over_segmented, 0);
+}
+
 TEST(CaseScore, KeepsAPairOfDifferentKindsOutOfTheTypedFigures) {
   const CaseScore score = scoreCase(shelves(1), {flatSphere(1.01)});
   EXPECT_EQ(score.all.correct, 1);
@@ -145,6 +188,14 @@ TEST(Counts, AddUpFieldByField) {
   EXPECT_EQ(sum.missed, 2);
   EXPECT_EQ(sum.noise, 2);
   EXPECT_EQ(sum.type_right, 2);
+
+  const Counts some{1, 2, 3, 4, 5, 6, 7, 8, 9, 10.0, 11.0};
+  Counts twice = some;
+  twice += some;
+  EXPECT_EQ(twice.over_segmented, 14);
+  EXPECT_EQ(twice.under_segmented, 16);
+  EXPECT_EQ(twice.dod, 20.0);
+  EXPECT_EQ(twice.typed_dod, 22.0);
 }
 
 }  // namespace

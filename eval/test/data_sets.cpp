@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "eval/case_score.h"
@@ -91,6 +92,70 @@ TEST(Recipe, OutliersBelongToNothing) {
   const LabelledCloud input = makeLabelledCloud(recipe);
   const auto free = std::count(input.surface.begin(), input.surface.end(), -1);
   EXPECT_NEAR(static_cast<double>(free) / input.surface.size(), 0.4, 0.01);
+}
+
+TEST(Recipe, SetsTheUnitAndTheDistanceOfTheScoring) {
+  EXPECT_EQ(makeLabelledCloud(recipeOf("paper-planes")).unit, 0.005);
+  EXPECT_EQ(makeLabelledCloud(recipeOf("parts")).unit, 0.005);
+  const LabelledCloud frame = makeLabelledCloud(recipeOf("tabletop"));
+  EXPECT_EQ(frame.unit, 0.001);
+  EXPECT_EQ(frame.rules.max_distance, 0.02);
+}
+
+TEST(Recipe, OfADepthFrameScalesItsNoise) {
+  const auto error = [](double noise_scale) {
+    Recipe recipe = recipeOf("tabletop");
+    recipe.noise_scale = noise_scale;
+    const LabelledCloud frame = makeLabelledCloud(recipe);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < frame.cloud.size(); ++i) {
+      if (frame.cloud.valid(i)) sum += std::abs(frame.cloud.z[i] - frame.scored.z[i]);
+    }
+    return sum / frame.cloud.valid_count;
+  };
+  EXPECT_GT(error(2.0), 1.3 * error(1.0));
+}
+
+TEST(Parts, AreMeasuredWithNoiseAndScoredWithout) {
+  const LabelledCloud part = makeLabelledCloud(recipeOf("parts"));
+  double largest = 0.0;
+  for (std::size_t i = 0; i < part.cloud.size(); ++i) {
+    if (part.surface[i] < 0) continue;
+    const Shape& shape = part.truth[part.surface[i]].shape;
+    ASSERT_NEAR(distance(shape, Vec3(part.scored.x[i], part.scored.y[i], part.scored.z[i])), 0.0, 1e-6);
+    largest = std::max(largest, std::abs(distance(shape, Vec3(part.cloud.x[i], part.cloud.y[i], part.cloud.z[i]))));
+  }
+  EXPECT_GT(largest, 0.004);
+  EXPECT_LT(largest, 0.00501);
+}
+
+TEST(TabletopFrames, KnowWhatIsNoneOfTheKinds) {
+  std::size_t clutter = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const LabelledCloud input = makeLabelledCloud(recipeOf("tabletop", seed));
+    clutter += std::count(input.surface.begin(), input.surface.end(), kClutter);
+  }
+  EXPECT_GT(clutter, 3000u);
+}
+
+TEST(Methods, AreThePresetsAndAblationsOfTheirNames) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("paper-cones"));
+  const auto dod = [&](const std::string& method) {
+    const CaseScore score = scoreCase(input, makeMethod(method).run(input, 1).shapes);
+    return score.all.dod / score.all.correct;
+  };
+  for (const auto& [name, text] :
+       {std::pair{"paper", "x=preset:paper"}, std::pair{"b", "x=preset:drost"},
+        std::pair{"c", "x=preset:paper,clustering=nms"}, std::pair{"d", "x=preset:paper,average_bins=false"},
+        std::pair{"e", "x=preset:paper,spread_votes=false"}, std::pair{"default", "x=preset:default"}}) {
+    EXPECT_EQ(dod(name), dod(text)) << name;
+  }
+}
+
+TEST(Methods, SayWhyNothingCameOut) {
+  LabelledCloud input = makeLabelledCloud(recipeOf("parts"));
+  input.cloud.reset(100, 1, true);
+  EXPECT_EQ(makeMethod("default").run(input, 1).failure, "empty_input");
 }
 
 TEST(ConcaveScenes, AreSeenFromInside) {

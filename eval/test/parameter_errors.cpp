@@ -32,6 +32,10 @@ TEST(ParameterErrors, OfAPlaneAreTakenWhereItsPointsAre) {
   EXPECT_TRUE(errors.radius.empty() && errors.apex.empty() && errors.half_angle_deg.empty());
 }
 
+TEST(ParameterErrors, OfAPlaneDoNotCountHowFarThePlaceIsFromIt) {
+  EXPECT_NEAR(errorsOf(Plane(), Plane(), Vec3(1, 2, 0.3)).position.at(0), 0.0, kTiny);
+}
+
 TEST(ParameterErrors, OfASphereAreCentreAndRadius) {
   const ParameterErrors errors = errorsOf(Sphere{Vec3(1, 2, 3), 0.5}, Sphere{Vec3(1, 2.03, 3.04), 0.48});
   EXPECT_NEAR(errors.position.at(0), 0.05, kTiny);

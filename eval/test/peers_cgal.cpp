@@ -44,6 +44,17 @@ TEST_F(Cgal, LooksForTheNamedKindOnly) {
   EXPECT_EQ(shapesOf<Sphere>(answer).size(), answer.shapes.size());
 }
 
+TEST_F(Cgal, WithTheNoiseKnownFitsCloser) {
+  LabelledCloud scene = wallAnd(Sphere{{-0.3, 0.2, 1.5}, 0.25});
+  scene.recipe.sigma = 0.001;
+  const std::vector<Sphere> spheres = shapesOf<Sphere>(answerOf("cgal-3sigma", scene));
+  const auto error = [](const Sphere& sphere) { return std::abs(sphere.radius - 0.25); };
+  ASSERT_FALSE(spheres.empty());
+  EXPECT_LT(error(*std::min_element(spheres.begin(), spheres.end(),
+                                    [&](const Sphere& a, const Sphere& b) { return error(a) < error(b); })),
+            0.003);
+}
+
 TEST_F(Cgal, PreparingIsPartOfTheTime) {
   const Answer answer = answerOf("cgal", wallAnd(Sphere{{-0.3, 0.2, 1.5}, 0.25}));
   EXPECT_GT(answer.prepare_ms, 0.0);

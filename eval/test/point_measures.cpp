@@ -47,6 +47,26 @@ TEST(Assignment, LeavesOutMissingPointsAndMissingNormals) {
   EXPECT_TRUE(std::isnan(measureDistances(cloud, {Plane()}, {-1, -1}).closest[0]));
 }
 
+TEST(Assignment, KeepsTheClosestOfSeveralThatPass) {
+  const auto at = [](double z) { return Plane{Vec3(0, 0, z), Vec3::UnitZ()}; };
+  const Cloud cloud = cloudOf({{{1, 0, 0.0}, tilted(0)}});
+  EXPECT_EQ(assign(cloud, {at(0.01), at(0.03), at(0.02)}, Rules())[0], 0);
+}
+
+TEST(Assignment, TakesTheDistanceOfItsRules) {
+  const Cloud cloud = cloudOf({{{1, 0, 0.03}, tilted(0)}});
+  Rules narrow;
+  narrow.max_distance = 0.02;
+  EXPECT_EQ(assign(cloud, {Plane()}, Rules())[0], 0);
+  EXPECT_EQ(assign(cloud, {Plane()}, narrow)[0], -1);
+}
+
+TEST(Assignment, RefusesRulesOutOfRange) {
+  Rules rules;
+  rules.max_angle_deg = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(assign(cloudOf({{{1, 0, 0}, tilted(0)}}), {Plane()}, rules), std::invalid_argument);
+}
+
 TEST(Assignment, RefusesACloudWithoutNormals) {
   Cloud cloud;
   cloud.reset(1, 1, false);
@@ -57,6 +77,12 @@ TEST(ObjectDistance, IsTheShiftBetweenParallelPlanes) {
   const Cloud cloud = cloudOf({{{1, 0, 0.01}, tilted(0)}, {{0, 1, -0.02}, tilted(0)}, {{0, 0, 9}, tilted(0)}});
   const Plane shifted{Vec3(0, 0, 0.007), Vec3::UnitZ()};
   EXPECT_NEAR(objectDistance(cloud, {0, 0, 1}, 0, Plane(), shifted), 0.007, 1e-9);
+}
+
+TEST(ObjectDistance, LeavesMissingPointsOut) {
+  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+  const Cloud cloud = cloudOf({{{1, 0, 0}, tilted(0)}, {Vec3::Constant(kMissing), tilted(0)}});
+  EXPECT_NEAR(objectDistance(cloud, {0, 0}, 0, Plane(), Plane{Vec3(0, 0, 0.007), Vec3::UnitZ()}), 0.007, 1e-9);
 }
 
 TEST(ObjectDistance, IsTheDifferenceOfRadiiForConcentricSpheres) {

@@ -85,6 +85,13 @@ TEST(SegComp, NeedsTheSplitToCoverItsShareOfTheRegion) {
   EXPECT_EQ(result.noise.size(), 2u);
 }
 
+TEST(SegComp, CountsNoDetectionIntoASplitThatLiesMostlyElsewhere) {
+  // The second detection covers half of the region, but most of it is outside.
+  const Segmentation result = segmentLabels(labels({{0, 10}, {-1, 20}}), 1, labels({{0, 5}, {1, 5}, {1, 20}}), 2);
+  EXPECT_TRUE(result.over_segmented.empty());
+  EXPECT_EQ(result.missed.size(), 1u);
+}
+
 TEST(Overlaps, RefuseLabelsThatDoNotFit) {
   EXPECT_THROW(countOverlaps({0, 1}, 1, {0, 0}, 1), std::out_of_range);
   EXPECT_THROW(countOverlaps({0}, 1, {0, 0}, 1), std::invalid_argument);
@@ -94,6 +101,12 @@ TEST(KindAccuracy, TakesTheDetectionThatOverlapsMost) {
   const Overlaps overlaps = countOverlaps(labels({{0, 10}}), 1, labels({{0, 3}, {1, 7}}), 2);
   EXPECT_EQ(sameKindMatches(overlaps, {Kind::cone}, {Kind::sphere, Kind::cone}), (Pairs{{0, 1}}));
   EXPECT_TRUE(sameKindMatches(overlaps, {Kind::cone}, {Kind::cone, Kind::sphere}).empty());
+}
+
+TEST(KindAccuracy, SetsWhatIsCommonAgainstWhatBothCoverTogether) {
+  // The large detection shares more points with the region, the small one overlaps with it better.
+  const Overlaps overlaps = countOverlaps(labels({{0, 11}, {-1, 30}}), 1, labels({{1, 5}, {0, 6}, {0, 30}}), 2);
+  EXPECT_EQ(sameKindMatches(overlaps, {Kind::cone}, {Kind::sphere, Kind::cone}), (Pairs{{0, 1}}));
 }
 
 TEST(KindAccuracy, UsesADetectionOnlyOnce) {
