@@ -21,7 +21,7 @@ PANELS = {
 
 
 def runtime(results, folder):
-    """Joint and for each kind alone, with the paper's figures as hollow marks."""
+    """Joint and for each kind alone, with the paper's figures as dashes."""
     experiments = summary.of_part(results, "runtime")
     if not experiments:
         return None
@@ -64,7 +64,8 @@ def tabletop_errors(results, folder):
     chosen = [e for e in summary.of_part(results, "tabletop") if e.recipe.noise_scale == 1.0]
     if not chosen:
         return None
-    methods = [m for m in ("default", "paper", "cgal", "pcl-planes", "pcl-sac") if m in chosen[0].seeds]
+    methods = [m for m in ("default", "paper", "cgal", "cgal-3sigma", "pcl-planes", "pcl-sac")
+               if summary.lines_of(results, chosen[0], m)]
     figure, axes = figures.panels(len(PANELS), 3, 8.8)
     for row, (kind, measures) in zip(axes, PANELS.items()):
         for one, measure in zip(row, measures):
@@ -75,7 +76,8 @@ def tabletop_errors(results, folder):
                      for method in methods]
             boxes(one, [[measure[2] * value for value in values] for values in found], methods)
             one.set_title("%s: %s" % (kind, measure[1]), loc="left")
-    handles = [Patch(color=contestants.COLOURS[method], label=contestants.title(method)) for method in methods]
+    handles = [Patch(color=contestants.COLOURS[method], label=figures.label_of(results, chosen[:1], method, methods))
+               for method in methods]
     return figures.finish(figure, "Errors of the parameters on simulated depth frames, right type only",
                           os.path.join(folder, "tabletop_errors.png"),
                           (handles, [handle.get_label() for handle in handles]),

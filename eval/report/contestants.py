@@ -12,6 +12,7 @@ TITLES = {
     "e": "(e) no vote spreading",
     "cgal": "CGAL Efficient RANSAC",
     "cgal-2048": "CGAL Eff. RANSAC, 2048 points",
+    "cgal-3sigma": "CGAL Eff. RANSAC, epsilon 3 sigma",
     "pcl-sac": "PCL SAC loop, 4096 points",
     "pcl-planes": "PCL multi-plane",
 }
@@ -19,9 +20,13 @@ TITLES = {
 # Colour-blind safe: strong blue and orange are ours, greens and purples are peers, greys are ablations.
 COLOURS = {
     "truth": "#222222", "default": "#0b62b8", "paper": "#e8820c", "b": "#8c8c8c", "c": "#a9a9a9", "d": "#bdb08a",
-    "e": "#c9b8c4", "cgal": "#1b8a5a", "cgal-2048": "#7cc9a3", "pcl-sac": "#8e4ab8", "pcl-planes": "#d36ba8",
+    "e": "#c9b8c4", "cgal": "#1b8a5a", "cgal-2048": "#7cc9a3", "cgal-3sigma": "#86a818", "pcl-sac": "#8e4ab8",
+    "pcl-planes": "#d36ba8",
 }
-MARKERS = {"truth": "", "default": "o", "paper": "s", "cgal": "^", "cgal-2048": "v", "pcl-sac": "D", "pcl-planes": "P"}
+MARKERS = {"truth": "", "default": "o", "paper": "s", "cgal": "^", "cgal-2048": "v", "cgal-3sigma": "<", "pcl-sac": "D",
+           "pcl-planes": "P"}
+WIDER = ("Epsilon 3 sigma: a point may be three times the noise away from its shape (10 mm on depth frames) instead "
+         "of 1 % of the cloud's diagonal.")
 OURS = ("default", "paper", "b", "c", "d", "e")
 
 
@@ -41,6 +46,11 @@ def title(method):
         return TITLES[name]
     rest = name[len(base(name)):].strip("-:")
     return "%s, %s" % (TITLES.get(base(name), name), rest + " samples" if rest.isdigit() else rest)
+
+
+def note_on_wider(labels):
+    """What stands below a table with a row that has a tolerance of its own."""
+    return " " + WIDER if any(label.startswith(TITLES["cgal-3sigma"]) for label in labels) else ""
 
 
 def line_style(method):

@@ -14,7 +14,8 @@ def coverage(results, folder):
     """p- and s-coverage on the mixed clouds."""
     chosen = [e for e in summary.of_part(results, "paper") if e.recipe.set == "paper-mixed"]
     return coverage_of(results, chosen, "How well the shapes found cover the cloud: mixed clouds, noise 0.01 m",
-                       os.path.join(folder, "coverage.png"), ("truth", "default", "paper", "b", "cgal", "pcl-sac"))
+                       os.path.join(folder, "coverage.png"),
+                       ("truth", "default", "paper", "b", "cgal", "cgal-3sigma", "pcl-sac"))
 
 
 def parts_coverage(results, folder):
@@ -35,7 +36,8 @@ def coverage_of(results, chosen, title, path, methods):
             values = summary.curve(summary.lines_of(results, chosen[0], method), name)
             if values is not None:
                 distances = 1000 * summary.CURVE_STEP * numpy.arange(len(values))
-                one.plot(distances, values, **dict(contestants.line_style(method), marker=""))
+                one.plot(distances, values, **dict(contestants.line_style(method), marker="", label=figures.label_of(
+                    results, chosen[:1], method, methods)))
         one.set_title(heading, loc="left")
         one.set_xlabel("nearer than (mm)")
         one.set_xlim(0, 50)
@@ -43,17 +45,18 @@ def coverage_of(results, chosen, title, path, methods):
     return figures.finish(figure, title, path)
 
 
-def against(axes, results, experiments, places, measure, methods, seeds=None):
-    """One line a method: a measure at the place of each experiment."""
+def against(axes, results, experiments, places, measure, methods, labelled=None):
+    """One line a method: a measure at the place of each experiment. labelled: all experiments of the plot, if more."""
     for method in methods:
         points = []
         for experiment, place in zip(experiments, places):
-            lines = summary.lines_of(results, experiment, method, seeds)
+            lines = summary.lines_of(results, experiment, method)
             value = summary.scores(lines)[measure] if lines else None
             if value is not None:
                 points.append((place, value))
         if points:
-            axes.plot(*zip(*points), **contestants.line_style(method))
+            axes.plot(*zip(*points), **dict(contestants.line_style(method), label=figures.label_of(
+                results, labelled or experiments, method, methods)))
 
 
 def noise(results, folder):
@@ -80,7 +83,7 @@ def noise_scored_within(results, angle, path, title):
         for row, (measure, label) in enumerate(measures):
             one = axes[row][column]
             against(one, results, chosen, [1000 * e.recipe.sigma for e in chosen], measure,
-                    ("truth", "default", "paper", "cgal", "pcl-sac"))
+                    ("truth", "default", "paper", "cgal", "cgal-3sigma", "pcl-sac"), experiments)
             one.set_xticks(sorted({1000 * e.recipe.sigma for e in experiments}))
             one.set_ylabel(label if column == 0 else "")
         axes[0][column].set_title(kind)
@@ -137,7 +140,7 @@ def tabletop_noise(results, folder):
     figure, axes = figures.panels(1, 3, 3.9)
     for one, (measure, heading) in zip(axes[0], TYPED + (("typed_dod", "DOD (mm)"),)):
         against(one, results, chosen, [e.recipe.noise_scale for e in chosen], measure,
-                ("truth", "default", "paper", "cgal", "pcl-planes", "pcl-sac"))
+                ("truth", "default", "paper", "cgal", "cgal-3sigma", "pcl-planes", "pcl-sac"))
         one.set_xscale("log", base=2)
         one.set_xticks(plan.NOISE_SCALES, ["x 0.5", "x 1", "x 2"])
         one.set_xlabel("noise of the depth sensor")
@@ -155,16 +158,18 @@ def samples(results, folder):
     if not experiments:
         return None
     figure, axes = figures.panels(1, 2, 4.6)
+    peers = ("cgal", "cgal-2048", "pcl-sac")
     titles = {"paper-mixed": "mixed clouds of 160,801 points", "tabletop": "simulated depth frames 640 x 480"}
     for one, experiment in zip(axes[0], experiments):
         for preset in ("default", "paper"):
             curve = [(time_and_f1(results, experiment, text), count)
                      for (name, count), text in plan.sample_methods().items() if name == preset]
             draw_counts(one, preset, [(place, count) for place, count in curve if place])
-        for method in ("cgal", "cgal-2048", "pcl-sac"):
+        for method in peers:
             place = time_and_f1(results, experiment, method)
             if place:
-                one.plot(*place, **dict(contestants.line_style(method), linestyle="", markersize=9))
+                label = figures.label_of(results, experiments, method, peers + tuple(plan.sample_methods().values()))
+                one.plot(*place, **dict(contestants.line_style(method), linestyle="", markersize=9, label=label))
         one.set_xscale("log")
         figures.plain_log(one.xaxis, short=True)
         one.set_xlabel("median time for a cloud (ms)")

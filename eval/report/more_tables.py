@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables beyond the paper's: depth frames, noise, outliers, fewer points, cavities, numbers of samples."""
 from report import contestants, plan, summary
-from report.tables import Table, cell, clouds_text, mark_columns
+from report.tables import Table, cell, clouds_text, mark_columns, measured_on
 
 # kind -> its parameter errors: (name in the lines, heading, factor to the unit of the heading)
 ERRORS = {
@@ -29,7 +29,9 @@ def tabletop(results):
                  "over detections with the right type, in the order written beside the kind. Time: median per frame "
                  "from cloud to shapes. Ours makes its normals within that time; the peers are given normals, whose "
                  "making is not in theirs. PCL multi-plane looks for planes only. A method that finds fewer shapes "
-                 "finds the easy ones: read DOD and errors with the recall.",
+                 "finds the easy ones: read DOD and errors with the recall. A row with fewer frames was measured on "
+                 "the first ones only and takes no part in bold. Scored on the points without noise, within 20 mm of a "
+                 "shape." + contestants.note_on_wider(label for label, _ in rows),
                  [("", 2), ("right type", 3), ("", 2), ("median parameter errors", 3), ("", 1)],
                  ["frames", "true shapes", "precision", "recall", "F1", "DOD mm", "noise %", "1st", "2nd", "3rd", "ms"],
                  rows)
@@ -53,7 +55,8 @@ def tabletop_cells(lines, group):
         value = summary.median(summary.errors(lines, group, measure))
         medians.append(cell(None if value is None else factor * value, 2))
     medians += [cell("")] * (3 - len(medians))
-    return cells + medians + [cell(summary.median(summary.times(lines)) if group == "all" else "", 1)]
+    times = cell(summary.median(summary.times(lines)) if group == "all" else "", 1)
+    return measured_on(cells + medians + [times], lines)
 
 
 def crossed(results, chosen, key, title, note, heading, dod_text):
@@ -66,15 +69,19 @@ def crossed(results, chosen, key, title, note, heading, dod_text):
         for method in methods:
             cells = []
             for experiment in experiments:
-                figures = summary.scores(summary.lines_of(results, experiment, method))
-                cells += [cell(figures[name]) for name in TYPED] + [cell(figures["typed_dod"], 2)]
-            clouds = max(len(summary.lines_of(results, e, method)) for e in experiments)
-            block.append(("%s (%s)" % (contestants.title(method), clouds_text(clouds)), cells))
+                lines = summary.lines_of(results, experiment, method)
+                figures = summary.scores(lines)
+                cells += measured_on([cell(figures[name]) for name in TYPED] + [cell(figures["typed_dod"], 2)], lines)
+            counts = [len(summary.lines_of(results, e, method)) for e in experiments]
+            text = (clouds_text(counts[0]) if len(set(counts)) == 1 else
+                    ", ".join(map(str, counts)) + " clouds")
+            block.append(("%s (%s)" % (contestants.title(method), text), cells))
         truth_rows = [label for label, _ in block if label.startswith(contestants.TITLES["truth"])]
         rows += ([(section, None)] if section else []) + mark_columns(block, (True, True, False) * len(experiments),
                                                                       truth_rows)
     return Table(key, title, note + " P, R: precision and recall with the right type in percent; DOD of these in "
-                 + dod_text + ".", groups, ["P", "R", "DOD"] * len(groups), rows)
+                 + dod_text + ". Bold: the best of those measured on all clouds." +
+                 contestants.note_on_wider(label for label, _ in rows), groups, ["P", "R", "DOD"] * len(groups), rows)
 
 
 def noise(results):
@@ -86,7 +93,8 @@ def noise(results):
 
 def wide_noise(results):
     """The same, scored with normals that may be further off."""
-    return noise_scored_within(results, plan.WIDE_ANGLE, "noise_wide", "Strong noise, scored with a wider angle",
+    return noise_scored_within(results, plan.WIDE_ANGLE, "noise_wide",
+                               "Strong noise, scored within %g degrees" % plan.WIDE_ANGLE,
                                "A point's normal may be %g degrees off instead of 15, so that the scoring no longer "
                                "hides what was found." % plan.WIDE_ANGLE)
 
@@ -136,10 +144,10 @@ def samples(results):
             lines = summary.lines_of(results, experiment, method)
             if lines:
                 figures = summary.scores(lines)
-                block.append((contestants.title(method), [
+                block.append((contestants.title(method), measured_on([
                     cell(figures["clouds"], 0), cell(summary.median(summary.times(lines)), 1),
                     cell(figures["typed_precision"]), cell(figures["typed_recall"]), cell(figures["typed_f1"]),
-                    cell(figures["typed_dod"], 2)]))
+                    cell(figures["typed_dod"], 2)], lines)))
         rows += [(experiment.recipe.set, None)] + mark_columns(block, (None, False, True, True, True, False))
     return Table("samples", "Accuracy against time: several numbers of samples",
                  "Percent with the right type; median time per cloud; DOD in multiples of the noise, on tabletop in "

@@ -35,14 +35,20 @@ figcaption { color: #555; font-size: 13px; }
 """
 
 
-def image(path, caption="", wide=False):
-    """A picture, inside the page; a wide one, of points, as JPEG: a fifth of its size."""
-    with open(path, "rb") as file:
-        content = file.read()
-    kind = "png"
+def image(path, faults, caption="", wide=False):
+    """A picture, inside the page; a wide one, of points, as JPEG: a fifth of its size. One that cannot be read is
+    left out and named in the list faults."""
+    kind, packed = "jpeg" if wide else "png", io.BytesIO()
+    try:
+        with open(path, "rb") as file:
+            content = file.read()
+        pixels = Image.open(io.BytesIO(content)).convert("RGB")  # reads all of it: a cut-off picture ends here
+    except (OSError, SyntaxError, ValueError) as error:
+        faults.append("The picture %s cannot be read (%s) and is left out; without the file it is drawn anew."
+                      % (path, error))
+        return ""
     if wide:
-        kind, packed = "jpeg", io.BytesIO()
-        Image.open(path).convert("RGB").save(packed, "JPEG", quality=88)
+        pixels.save(packed, "JPEG", quality=88)
         content = packed.getvalue()
     return ('<figure><img%s alt="%s" src="data:image/%s;base64,%s"><figcaption>%s</figcaption></figure>'
             % (' class="wide"' if wide else "", html.escape(caption or "plot"), kind,

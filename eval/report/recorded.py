@@ -59,8 +59,8 @@ def missed_and_false(figures):
 def frames_page(summary, table, here):
     chapters = [("Summary", tables.html_table(table))]
     for preset, figures in summary["presets"].items():
-        pictures = "".join(page.image(path, name, wide=True) for name, path in summary["pictures"][preset].items()
-                           if os.path.exists(path))
+        pictures = "".join(page.image(path, summary["faults"], name, wide=True)
+                           for name, path in summary["pictures"][preset].items() if os.path.exists(path))
         chapters.append(("Preset " + preset, missed_and_false(figures) + pictures))
     head = page.facts((("Folder", summary["folder"]), ("Date", here["date"]), ("CPU", here["cpu"]),
                        ("Commit", here["commit"])))

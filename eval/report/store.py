@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measured lines, one JSON object each, kept in a file as they come, so that a run can stop and go on."""
 import json
+import math
 import os
 
 from report.plan import Key, Recipe
@@ -36,8 +37,8 @@ def load(path):
 
 def key_of(line):
     """What makes a kept line the answer to one question."""
-    recipe = Recipe(line["set"], line["sigma"], line["noise_scale"], line["outliers"], line["keep"],
-                    line["angle"])
+    # Rounded: the program prints what it was given, but perhaps not to the last digit.
+    recipe = Recipe(line["set"], *(round(line[name], 9) for name in Recipe._fields[1:]))
     return Key(recipe, line["seed"], line["text"], line["repeat"])
 
 
@@ -56,11 +57,36 @@ def stamped(line, call, environment):
     texts = {text.split("=")[0]: text for text in call.methods}
     if line.get("method") not in texts:
         raise ValueError("the program answered for method %r, asked were %s" % (line.get("method"), sorted(texts)))
-    kept = dict(line, text=texts[line["method"]], repeat=call.repeat, commit=environment["commit"],
-                cpu=environment["cpu"], date=environment["date"], load=round(os.getloadavg()[0], 2))
-    # The program prints what it was given, but perhaps not to the last digit.
-    kept.update(call.recipe._asdict())
-    return kept
+    check_recipe(line, call)
+    return dict(line, text=texts[line["method"]], repeat=call.repeat, angle=call.recipe.angle,
+                commit=environment["commit"], cpu=environment["cpu"], date=environment["date"],
+                compiler=compiler_of(environment.get("about", {})), load=round(os.getloadavg()[0], 2))
+
+
+def check_recipe(line, call):
+    """Raises ValueError, saying what differs, when a line tells of another cloud than the call asked for."""
+    if line.get("set") != call.recipe.set:
+        raise ValueError("the program answered for set %r, asked was %r" % (line.get("set"), call.recipe.set))
+    if line.get("seed") not in range(call.first, call.first + call.count):
+        raise ValueError("the program answered for seed %r, asked were %d of them from %d on"
+                         % (line.get("seed"), call.count, call.first))
+    for name in ("sigma", "noise_scale", "outliers", "keep"):
+        told, asked = line.get(name), getattr(call.recipe, name)
+        if not isinstance(told, (int, float)) or not math.isclose(told, asked, abs_tol=1e-12):
+            raise ValueError("the program answered for %s %r, asked was %r" % (name, told, asked))
+
+
+def compiler_of(about):
+    """How the program was built, as far as it tells."""
+    return ", ".join(str(about[name]) for name in ("compiler", "build", "flags") if name in about)
+
+
+def origin(lines):
+    """Commit, CPU, compiler and dates of kept lines, for the heads of the files; "" where they do not tell."""
+    found = {name: ", ".join(sorted({str(line[name]) for line in lines if line.get(name)}))
+             for name in ("commit", "cpu", "compiler")}
+    dates = sorted({line["date"] for line in lines if line.get("date")})
+    return dict(found, date=" to ".join(dates[:1] + dates[1:][-1:]))
 
 
 def append(path, line):

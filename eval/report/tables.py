@@ -9,12 +9,34 @@ from collections import namedtuple
 # section's heading.
 Table = namedtuple("Table", "key title note groups columns rows")
 WIDE_TABLE = 12  # columns; with more, the paper's figures go below ours on the page
-Cell = namedtuple("Cell", "value digits published best")
+Cell = namedtuple("Cell", "value digits published best seeds", defaults=(frozenset(),))
 
 
 def cell(value, digits=1, published=None):
     """One figure; value None: nothing to say. published: the paper's own figure."""
     return Cell(value, digits, published, False)
+
+
+def measured_on(cells, lines):
+    """The cells with the seeds of the clouds that they are about."""
+    seeds = frozenset(line["seed"] for line in lines)
+    return [c._replace(seeds=seeds) for c in cells]
+
+
+def seeds_of(table):
+    """The seeds of all its cells."""
+    return frozenset().union(*(c.seeds for _, cells in table.rows for c in cells or ()))
+
+
+def seeds_text(seeds):
+    """"100, 1000 to 1074"."""
+    runs = []
+    for seed in sorted(seeds):
+        if runs and seed == runs[-1][1] + 1:
+            runs[-1][1] = seed
+        else:
+            runs.append([seed, seed])
+    return ", ".join("%d" % first if first == last else "%d to %d" % (first, last) for first, last in runs) or "none"
 
 
 def clouds_text(count):
@@ -27,13 +49,16 @@ def shown(number, digits):
 
 
 def mark_best(cells, higher):
-    """The cells with the best of them marked, all that print alike. Texts and missing ones do not take part."""
-    numbers = [c.value for c in cells if isinstance(c.value, (int, float))]
+    """The cells with the best of them marked, all that print alike. Only those on the largest set of clouds take part:
+    fewer clouds may be easier ones. Texts and missing ones do not, either."""
+    largest = max((c.seeds for c in cells), key=len, default=frozenset())
+    taking_part = [isinstance(c.value, (int, float)) and c.seeds == largest for c in cells]
+    numbers = [c.value for c, takes_part in zip(cells, taking_part) if takes_part]
     best = max(numbers, default=0) if higher else min(numbers, default=0)
     if len(numbers) < 2 or (higher and best == 0):  # nobody is good who has nothing
         return cells
-    return [c._replace(best=isinstance(c.value, (int, float)) and shown(c.value, c.digits) == shown(best, c.digits))
-            for c in cells]
+    return [c._replace(best=takes_part and shown(c.value, c.digits) == shown(best, c.digits))
+            for c, takes_part in zip(cells, taking_part)]
 
 
 def mark_columns(rows, higher_of_column, skip=("truth handed in",)):

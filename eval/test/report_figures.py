@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """From lines to figures: sums before quotients, marks of the best, the paper's figures, the plan."""
+import csv
 import os
 import sys
 import tempfile
@@ -10,7 +11,8 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.dirname(HERE), HERE]
 
-from report import contestants, paper_tables, plan, published, store, summary, tables  # noqa: E402
+from report import (contestants, figures, making, paper_tables, pictures, plan, published, store,  # noqa: E402
+                    summary, tables)
 from report_lines import counts, kept, line  # noqa: E402
 
 
@@ -21,18 +23,18 @@ def close(one, other):
 def test_sums_come_before_quotients():
     small = line(all=counts(truths=1, found=1, correct=1, typed_correct=1, dod=3.0, typed_dod=3.0, type_right=1))
     large = line(all=counts(truths=9, found=4, correct=2, typed_correct=1, missed=6, noise=2, dod=1.0, typed_dod=0.5))
-    figures = summary.scores([small, large])
+    shares = summary.scores([small, large])
     # The mean of the clouds' own shares would be 75 % precision and 61 % recall.
-    assert close(figures["precision"], 60) and close(figures["recall"], 30)
-    assert close(figures["typed_precision"], 40) and close(figures["typed_recall"], 20)
-    assert close(figures["typed_f1"], 2 * 40 * 20 / 60) and close(figures["missed"], 60) and close(figures["noise"], 40)
-    assert close(figures["dod"], 4 / 3) and close(figures["typed_dod"], 3.5 / 2) and close(figures["type"], 10)
+    assert close(shares["precision"], 60) and close(shares["recall"], 30)
+    assert close(shares["typed_precision"], 40) and close(shares["typed_recall"], 20)
+    assert close(shares["typed_f1"], 2 * 40 * 20 / 60) and close(shares["missed"], 60) and close(shares["noise"], 40)
+    assert close(shares["dod"], 4 / 3) and close(shares["typed_dod"], 3.5 / 2) and close(shares["type"], 10)
 
 
 def test_nothing_found_is_no_precision_and_no_distance():
-    figures = summary.scores([line(all=counts(truths=3, missed=3))])
-    assert figures["precision"] is None and figures["dod"] is None and figures["recall"] == 0
-    assert tables.shown(figures["precision"], 1) == "–"
+    shares = summary.scores([line(all=counts(truths=3, missed=3))])
+    assert shares["precision"] is None and shares["dod"] is None and shares["recall"] == 0
+    assert tables.shown(shares["precision"], 1) == "–"
 
 
 def test_each_kind_has_its_own_counts():
@@ -110,9 +112,51 @@ def test_published_figures_hold_together():
 def test_measured_seeds_were_not_used_for_development():
     for quick in (True, False):
         first = plan.FIRST_SEED["quick" if quick else "full"]
-        counts_of_seeds = [count for e in plan.experiments(quick) for count in e.seeds.values()]
-        last = first + max(counts_of_seeds) - 1
-        assert 99 < first and (last < 500 or first >= 1000), "seeds 1 to 99 and from 500 on were looked at"
+        seeds = {first + i for e in plan.experiments(quick) for count in e.seeds.values() for i in range(count)}
+        seeds |= {seed for _, seed in pictures.wanted(quick, first)}
+        assert max(seeds) == (104 if quick else 1099)
+        assert not [seed for seed in seeds for low, high in plan.LOOKED_AT if low <= seed <= high]
+
+
+def test_samples_share_no_line_with_other_parts_so_that_all_methods_run_in_one_call():
+    for quick in (True, False):
+        keys = {True: set(), False: set()}
+        for e in plan.experiments(quick):
+            keys[e.part == "samples"].update(key for m in e.seeds for key in plan.keys_of(e, 1000, m))
+        assert keys[True] and not keys[True] & keys[False]
+
+
+def test_rows_with_fewer_clouds_take_no_part_in_bold():
+    few, many = [line(seed=1)], [line(seed=1), line(seed=2)]
+    rows = [("a", tables.measured_on([tables.cell(90.0)], many)), ("b", tables.measured_on([tables.cell(80.0)], many)),
+            ("c", tables.measured_on([tables.cell(99.0)], few))]
+    assert [cells[0].best for _, cells in tables.mark_columns(rows, (True,))] == [True, False, False]
+    table = tables.Table("t", "", "", [], [], [("section", None)] + rows)
+    assert tables.seeds_of(table) == {1, 2} and tables.seeds_text({1000, 1001, 1002, 7}) == "7, 1000 to 1002"
+
+
+def test_a_legend_tells_who_has_fewer_clouds():
+    experiment = plan.Experiment("paper", plan.Recipe("paper-mixed"), {"default": 2, "pcl-sac": 1}, 2)
+    lines = [kept(seed=1000), kept(seed=1001), kept("pcl-sac", seed=1000)]
+    results, methods = summary.results_of(lines, 1000, [experiment]), ("default", "pcl-sac", "cgal-3sigma")
+    labels = [figures.label_of(results, [experiment], method, methods) for method in methods]
+    assert labels == ["primitect, default", "PCL SAC loop, 4096 points (1 cloud)", "CGAL Eff. RANSAC, epsilon 3 sigma"]
+
+
+def test_one_kind_has_no_untyped_precision_in_the_scores():
+    experiment = plan.Experiment("paper", plan.Recipe("paper-mixed"), {"default": 1}, 2)
+    results = summary.results_of([kept(seed=1000, all=counts(truths=1, found=1, correct=1),
+                                       sphere=counts(truths=1, found=1, correct=1))], 1000, [experiment])
+    with tempfile.NamedTemporaryFile("r") as file:
+        making.write_scores(results, file.name, "")
+        rows = {row["kind"]: row for row in csv.DictReader(text for text in file if not text.startswith("#"))}
+    assert rows["all"]["precision"] == "100" and rows["sphere"]["precision"] == rows["sphere"]["f1"] == ""
+    assert rows["sphere"]["typed_precision"] == "0" and rows["sphere"]["recall"] == "100"
+
+
+def test_heads_tell_of_the_kept_lines():
+    told = store.origin([kept(), dict(kept(seed=2), date="2026-01-03", compiler="g")])
+    assert told == {"commit": "c1", "cpu": "cpu 1", "compiler": "g", "date": "2026-01-01 to 2026-01-03"}
 
 
 def test_the_plan_asks_each_question_once_and_nothing_that_is_kept():

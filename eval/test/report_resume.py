@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Stopping and going on: cut-off lines, other commits, failing programs, and eval/run itself with a made-up program."""
+import fcntl
 import json
 import os
 import signal
@@ -111,6 +112,72 @@ def test_an_answer_to_another_question_is_refused():
         raise AssertionError("took it")
     except ValueError as error:
         assert "paper" in str(error)
+    for other in ({"set": "tabletop"}, {"seed": 2}, {"sigma": 0.02}, {"noise_scale": 2.0}, {"outliers": 0.1},
+                  {"keep": 0.5}, {"keep": None}):
+        try:
+            store.stamped(dict(kept("default-512"), **{"set": "parts", **other}), call, COMMIT)
+            raise AssertionError("took %r" % other)
+        except ValueError as error:
+            assert next(iter(other)) in str(error)
+    nearly = store.stamped(dict(kept("default-512"), set="parts", sigma=0.01 + 1e-15), call, COMMIT)
+    assert store.key_of(nearly) == store.key_of(good)
+
+
+def test_a_fresh_start_removes_only_what_a_run_made():
+    with tempfile.TemporaryDirectory() as folder:
+        made_up_program(folder)
+        out = os.path.join(folder, "out")
+        for name in ("notes.md", "my.csv", "typed.csv", "plots/mine.png", "plots/noise.png", "pictures/me.png"):
+            os.makedirs(os.path.dirname(os.path.join(out, name)), exist_ok=True)
+            with open(os.path.join(out, name), "w", encoding="utf-8") as file:
+                file.write("x")
+        arguments = ("--quick", "--only", "parts", "--fresh")
+        assert eval_run(folder, *arguments).returncode == 0
+        assert os.path.exists(os.path.join(out, "typed.csv")), "no measurements were kept: not the folder of a run"
+        assert eval_run(folder, *arguments).returncode == 0
+        there = {name: os.path.exists(os.path.join(out, name)) for name in (
+            "notes.md", "my.csv", "plots/mine.png", "pictures/me.png", "typed.csv", "plots/noise.png", "report.html")}
+        assert [name for name, is_there in there.items() if not is_there] == ["typed.csv", "plots/noise.png"], there
+
+
+def test_pictures_that_fail_or_are_broken_are_told_and_the_report_is_made():
+    with tempfile.TemporaryDirectory() as folder:
+        made_up_program(folder)
+        out = os.path.join(folder, "out")
+        done = eval_run(folder, "--quick", "--only", "parts", "--only", "pictures")
+        assert done.returncode == 1 and "No picture of parts, seed 100: draws nothing" in done.stderr
+        assert not os.path.exists(os.path.join(out, "dump")) and os.listdir(os.path.join(out, "pictures")) == []
+        with open(os.path.join(out, "pictures", "parts_100.png"), "wb") as file:
+            file.write(b"\x89PNG\r\n")
+        done = eval_run(folder, "--quick", "--report")
+        with open(os.path.join(out, "report.html"), encoding="utf-8") as file:
+            assert done.returncode == 1 and "parts_100.png cannot be read" in file.read()
+
+
+def test_report_needs_lines_but_no_program_and_options_that_do_not_go_together_are_refused():
+    with tempfile.TemporaryDirectory() as folder:
+        assert "no measurements are kept" in eval_run(folder, "--report").stderr
+        os.makedirs(os.path.join(folder, "out"))
+        for method in ("truth", "default"):
+            store.append(os.path.join(folder, "out", "lines.jsonl"), dict(kept(method, seed=100), set="parts"))
+        assert eval_run(folder, "--quick", "--report").returncode == 0
+        with open(os.path.join(folder, "out", "parts.csv"), encoding="utf-8") as file:
+            assert file.readline() == "# cpu: cpu 1 date: 2026-01-01 commit: c1 seeds: 100\n"
+        for wrong in (("--frames", folder, "--quick"), ("--frames", folder, "--only", "parts"),
+                      ("--frames", folder, "--report"), ("--report", "--fresh")):
+            assert eval_run(folder, *wrong).returncode == 2, wrong
+
+
+def test_two_runs_in_one_folder_are_refused():
+    with tempfile.TemporaryDirectory() as folder:
+        made_up_program(folder)
+        os.makedirs(os.path.join(folder, "out"))
+        lock = os.open(os.path.join(folder, "out"), os.O_RDONLY)
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        done = eval_run(folder, "--quick", "--only", "parts")
+        os.close(lock)
+        assert done.returncode == 1 and "another eval/run works in" in done.stderr, done.stderr
+        assert kept_lines(folder) == []
 
 
 def test_a_failing_call_is_told_and_the_rest_goes_on_until_it_is_hopeless():
