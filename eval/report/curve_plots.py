@@ -94,8 +94,8 @@ def noise_scored_within(results, angle, path, title):
     return figures.finish(figure, title, path,
                           note="Precision and recall count detections with the right type only. DOD: distance between "
                                "found and true surfaces, smaller is better.\n"
-                               "The dotted line is what the scoring gives the truth itself: no method can be expected "
-                               "to find more.")
+                               "The dotted line is what the scoring gives the truth itself: the recall that can be "
+                               "reached.")
 
 
 def variants(results, folder, name, chosen, places, label, title):
