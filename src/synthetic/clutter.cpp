@@ -10,14 +10,13 @@
 
 #include "core/random.h"
 #include "synthetic/clutter_objects.h"
+#include "synthetic/poses.h"
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop.h"
 
 namespace primitect::synthetic {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
 constexpr double kWidestReach = 0.42;  // m, of the things' middles
 
 /// Places for all piles, the first ones nearer to the middle, or none when they did not fit in.

@@ -7,16 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "synthetic/poses.h"
+
 namespace primitect::synthetic {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
-
-Eigen::Isometry3d at(double x, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, z)); }
-
-/// z of the solid's frame turned towards x by this angle (rad) from up.
-Eigen::Isometry3d tilted(double angle) { return Eigen::Isometry3d(Eigen::AngleAxisd(angle, Vec3::UnitY())); }
 
 bool oneIn(int count, Random& random) { return random.below(count) == 0; }
 

@@ -9,15 +9,13 @@
 
 #include "core/random.h"
 #include "synthetic/camera.h"
+#include "synthetic/poses.h"
 #include "synthetic/raycast.h"
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop_objects.h"
 
 namespace primitect::synthetic {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
 
 Place drawPlace(Random& random) {
   // An ellipse that the camera sees as a whole: 0.8 m to the sides, 0.6 m in depth.

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Poses of things that stand or lie on a table, and the angles that they are written in.
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace primitect::synthetic {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180.0;  ///< rad
+
+/// Upright, moved by x and z (m) from the place on the table; the table is at z = 0.
+inline Eigen::Isometry3d at(double x, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, z)); }
+
+/// z of the solid's frame turned towards x by this angle (rad) from up.
+inline Eigen::Isometry3d tilted(double angle) {
+  return Eigen::Isometry3d(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
+}
+
+}  // namespace primitect::synthetic
