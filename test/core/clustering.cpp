@@ -8,19 +8,16 @@
 #include <cmath>
 #include <vector>
 
+#include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
 
+using test::candidate;
 using test::pointOn;
-using test::SurfacePoint;
 
 constexpr double kDegree = M_PI / 180.0;
-
-Candidate candidate(const Shape& shape, const SurfacePoint& reference, double votes) {
-  return {shape, reference.point, reference.normal, votes};
-}
 
 TEST(Clustering, AveragesByVotes) {
   const Sphere a = {Vec3(0, 0, 1), 0.100}, b = {Vec3(0, 0, 1.004), 0.104};

@@ -8,19 +8,17 @@
 #include <cmath>
 #include <vector>
 
+#include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
 
+using test::candidate;
 using test::patchOf;
 using test::SurfacePoint;
 
 constexpr double kDegree = M_PI / 180.0;
-
-Candidate candidate(const Shape& shape, const SurfacePoint& reference, double votes) {
-  return {shape, reference.point, reference.normal, votes};
-}
 
 /// 10 mm and 20 deg.
 const Tolerance kTolerance = {0.01, 0.0, std::cos(20.0 * kDegree)};

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
@@ -27,7 +28,7 @@ std::vector<SurfacePoint> noisy(std::vector<SurfacePoint> points, std::uint64_t 
 }
 
 Candidate proposal(const Shape& shape, const SurfacePoint& reference) {
-  return {shape, reference.point, reference.normal, 100.0};
+  return test::candidate(shape, reference, 100.0);
 }
 
 std::vector<Segment> verified(const std::vector<SurfacePoint>& points, const std::vector<Candidate>& candidates,
