@@ -33,7 +33,6 @@ TEST(Segmentation, ExplainsEachSampleAtMostOnce) {
   few.min_inliers = 30;
   const Sphere double_of_a = {Vec3(0, 0, 1.002), 0.101};
   std::vector<Segment> segments;
-  segments.clear();
   selectSegments(samples,
                  {candidate(a, points[0], 9), candidate(double_of_a, points[0], 5), candidate(b, points[150], 3)}, few,
                  kTolerance, segments);
@@ -52,7 +51,6 @@ TEST(Segmentation, AsksForDistanceNormalAndNumber) {
   Params params;
   params.min_inliers = 15;
   std::vector<Segment> segments;
-  segments.clear();
   selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, kTolerance, segments);
   ASSERT_EQ(segments.size(), 1u);
   EXPECT_EQ(segments[0].inliers.size(), 15u);
