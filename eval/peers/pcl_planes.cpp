@@ -11,6 +11,7 @@
 #include "eval/peers/pcl_clouds.h"
 #include "eval/peers/peer_cloud.h"
 #include "eval/peers/sides.h"
+#include "io/quiet_pcl.h"
 
 namespace primitect::eval {
 namespace {
@@ -67,7 +68,7 @@ std::vector<Shape> findPlanes(const Image& image) {
 Answer runPclPlanes(const LabelledCloud& input, int repeat) {
   if (!input.cloud.organized()) return failureOf("needs an organized cloud");
   const Image image = imageOf(peerCloud(input));
-  const QuietPcl quiet;
+  const io::QuietPcl quiet;
   return timedAnswer(repeat, [&image] { return findPlanes(image); });
 }
 

@@ -16,6 +16,7 @@
 #include "eval/peers/peer_cloud.h"
 #include "eval/peers/points.h"
 #include "eval/peers/sides.h"
+#include "io/quiet_pcl.h"
 
 namespace primitect::eval {
 namespace {
@@ -147,7 +148,7 @@ std::vector<Shape> findShapes(Scene scene) {
 Answer runPclSac(const LabelledCloud& input, int repeat) {
   const Scene scene = sceneOf(input);
   if (scene.points->empty()) return failureOf("no point has a normal");
-  const QuietPcl quiet;
+  const io::QuietPcl quiet;
   return timedAnswer(repeat, [&scene] { return findShapes(scene); });
 }
 

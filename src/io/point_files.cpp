@@ -4,7 +4,6 @@
 #include "io/point_files.h"
 
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
@@ -14,21 +13,10 @@
 
 #include "io/depth_image.h"
 #include "io/file_checks.h"
+#include "io/quiet_pcl.h"
 
 namespace primitect::io {
 namespace {
-
-/// PCL's readers print what goes wrong; here it is thrown instead.
-class QuietPcl {
- public:
-  QuietPcl() : level_(pcl::console::getVerbosityLevel()) { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
- private:
-  pcl::console::VERBOSITY_LEVEL level_;
-};
 
 template <typename Reader>
 pcl::PCLPointCloud2 readWithPcl(const std::string& path, const char* format, std::uint64_t points) {
