@@ -21,7 +21,7 @@ null stands for unknown; a 'must' label whose place is unknown is a fault. Other
 import json
 import os
 
-from report import frame_scoring
+from report.kinds import KINDS
 
 LENS = ("fx", "fy", "cx", "cy")
 NOTHING_CURVED = "must report NO"
@@ -38,7 +38,7 @@ def is_vector(value, size):
 
 
 WANTED = {
-    "type": (lambda v: v in frame_scoring.KINDS, "one of " + ", ".join(frame_scoring.KINDS)),
+    "type": (lambda v: v in KINDS, "one of " + ", ".join(KINDS)),
     "name": (lambda v: isinstance(v, str) and v, "a text"),
     "must": (lambda v: isinstance(v, bool), "true or false"),
     "pixel": (lambda v: is_vector(v, 2), "[u, v]"),
@@ -99,10 +99,10 @@ def read_frame(frame, where, faults):
         faults += ["%s, %s: %s: left out" % (where, title, text) for text in wrong]
         if not wrong:
             labels.append({key: value for key, value in label.items() if value is not None})
-        elif isinstance(label, dict) and label.get("type") in frame_scoring.KINDS:
+        elif isinstance(label, dict) and label.get("type") in KINDS:
             unknown.add(label["type"])
         else:
-            unknown.update(frame_scoring.KINDS)
+            unknown.update(KINDS)
     negative = frame.get("negative", False) or any(
         label.get("negative", False) or NOTHING_CURVED in label.get("remark", "") for label in labels)
     return {"lens": tuple(frame[key] for key in LENS), "labels": labels, "unknown": unknown, "negative": negative,

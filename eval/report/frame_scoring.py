@@ -14,7 +14,6 @@ nothing of where it is. Planes are never false alarms: nobody labels every plane
 """
 import numpy
 
-KINDS = ("plane", "sphere", "cylinder", "cone")
 PLANE_ANGLE_DEG, PLANE_DISTANCE = 6.0, 0.015  # m
 SPHERE_CENTRE, RADIUS = 0.25, 0.15  # shares of the labelled radius
 AXIS_ANGLE_DEG, AXIS_OFFSET, LEAST_AXIS_OFFSET = 12.0, 0.2, 0.008  # deg, share of the radius, m

@@ -13,6 +13,7 @@ import tempfile
 import numpy
 
 from report import frame_images, frame_labels, frame_pictures, frame_scoring
+from report.kinds import KINDS
 
 REPEAT = 3  # times are medians of so many runs
 COLUMNS = ("preset", "frame", "item", "kind", "name", "must", "verdict", "reported", "label_radius_mm",
@@ -98,12 +99,12 @@ def summarise(entries):
     count = sum(map(len, alarms.values()))
     negative = {name: len(alarms[name]) for name, frame, _, _ in entries if frame["negative"]}
     errors = {kind: [label["radius_error_mm"] for _, label in labels if label["kind"] == kind
-                     and label["radius_error_mm"] is not None] for kind in frame_scoring.KINDS[1:]}
+                     and label["radius_error_mm"] is not None] for kind in KINDS[1:]}
     every = sum(errors.values(), [])
     return {
         "frames": len(entries),
         "recall": {"all": tally(must), **{kind: tally([(name, label) for name, label in must if label["kind"] == kind])
-                                          for kind in frame_scoring.KINDS}},
+                                          for kind in KINDS}},
         "optional": tally([(name, label) for name, label in labels if not label["must"]]),
         "reported_twice": sum(len(label["hits"]) > 1 for _, label in labels),
         "false_curved": count, "false_curved_per_frame": count / len(entries) if entries else None,

@@ -6,6 +6,7 @@ import os
 
 from report import (bar_plots, contestants, curve_plots, more_tables, page, paper_tables, pictures, plan, summary,
                     tables)
+from report.kinds import KINDS
 
 TABLES = (paper_tables.detection, paper_tables.dod, paper_tables.typed, paper_tables.segmentation,
           paper_tables.runtime, more_tables.samples, more_tables.tabletop, more_tables.tabletop_noise,
@@ -143,7 +144,7 @@ def write_scores(results, path, head):
                         + ["total_ms", "vote_ms", "tree_ms"])
         for experiment, method, lines in every(results):
             times = [summary.median(summary.times(lines, name)) for name in ("total_ms", "vote_ms", "prepare_ms")]
-            for group in ("all",) + summary.KINDS:
+            for group in ("all",) + KINDS:
                 figures = summary.scores(lines, group)
                 if group != "all":  # correct ones are counted by the true kind, found ones by the found kind
                     figures.update(dict.fromkeys(UNTYPED))

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables beyond the paper's: depth frames, noise, outliers, fewer points, cavities, numbers of samples."""
 from report import contestants, plan, summary
+from report.kinds import KINDS
 from report.tables import Table, cell, clouds_text, mark_columns, measured_on
 
 # kind -> its parameter errors: (name in the lines, heading, factor to the unit of the heading)
@@ -18,7 +19,7 @@ def tabletop(results):
     """Each kind of the simulated depth frames, at the sensor's usual noise."""
     experiments = [e for e in summary.of_part(results, "tabletop") if e.recipe.noise_scale == 1.0]
     rows = []
-    for group in ("all",) + summary.KINDS:
+    for group in ("all",) + KINDS:
         for experiment in experiments:
             block = [(contestants.title(method), tabletop_cells(summary.lines_of(results, experiment, method), group))
                      for method in experiment.seeds if summary.lines_of(results, experiment, method)]

@@ -5,9 +5,8 @@ import os
 import sys
 
 from report import environment, page, tables
+from report.kinds import KINDS
 from report.tables import Table, cell
-
-KINDS = ("plane", "sphere", "cylinder", "cone")
 
 
 def run(folder, detect, out):

@@ -8,7 +8,6 @@ import numpy
 from report import plan, store
 
 COUNTS = ("truths", "found", "correct", "typed_correct", "missed", "noise", "over", "under", "type_right")
-KINDS = ("plane", "sphere", "cylinder", "cone")
 CURVE_STEP = 0.002  # m, coverage curves are taken at its multiples
 
 # lines by key, and the first seed of the run
