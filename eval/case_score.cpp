@@ -3,6 +3,7 @@
 // Scoring one result; see case_score.h.
 #include "eval/case_score.h"
 
+#include "eval/cloud_vectors.h"
 #include "eval/segcomp.h"
 
 namespace primitect::eval {
@@ -74,7 +75,7 @@ Vec3 middleOf(const Cloud& cloud, const std::vector<int>& labels, int label) {
   int count = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] != label || !cloud.valid(i)) continue;
-    sum += Vec3(cloud.x[i], cloud.y[i], cloud.z[i]);
+    sum += pointAt(cloud, i);
     ++count;
   }
   return count > 0 ? Vec3(sum / count) : sum;

@@ -8,11 +8,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "eval/cloud_vectors.h"
+
 namespace primitect::eval {
 namespace {
-
-Vec3 pointAt(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-Vec3 normalOf(const Cloud& cloud, std::size_t i) { return {cloud.nx[i], cloud.ny[i], cloud.nz[i]}; }
 
 /// Adds 1 for every epsilon above the distance.
 void countBelow(float distance, const std::vector<double>& epsilons, std::vector<double>& counts) {
@@ -31,7 +30,7 @@ std::vector<int> assign(const Cloud& cloud, const std::vector<Shape>& shapes, co
   std::vector<int> labels(cloud.size(), -1);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
-    const Vec3 point = pointAt(cloud, i), normal = normalOf(cloud, i);
+    const Vec3 point = pointAt(cloud, i), normal = normalAt(cloud, i);
     double closest = rules.max_distance;
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       const double away = std::abs(distance(shapes[k], point));

@@ -9,6 +9,7 @@
 #include "core/neighbors.h"
 #include "core/normals.h"
 #include "core/samples.h"
+#include "eval/cloud_vectors.h"
 #include "synthetic/clutter.h"
 #include "synthetic/frame.h"
 
@@ -94,7 +95,7 @@ Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
       without_shape.push_back(i);
       continue;
     }
-    const Vec3 point(scored.x[i], scored.y[i], scored.z[i]);
+    const Vec3 point = pointAt(scored, i);
     const Eigen::Vector3f normal = normalAt(shapes[frame.surface[i]], point).cast<float>();
     scored.setNormal(i, normal.x(), normal.y(), normal.z());
   }

@@ -10,14 +10,8 @@
 
 #include "core/random.h"
 #include "primitect/cloud.h"
-#include "primitect/primitives.h"
 
 namespace primitect::eval {
-
-inline Vec3 pointAt(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-
-/// Only for clouds with normals.
-inline Vec3 normalAt(const Cloud& cloud, std::size_t i) { return {cloud.nx[i], cloud.ny[i], cloud.nz[i]}; }
 
 /// Points that have a position and a normal.
 inline std::vector<std::uint32_t> usablePoints(const Cloud& cloud) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "eval/cloud_vectors.h"
 #include "eval/peers/peer_cloud.h"
 #include "eval/peers/points.h"
 #include "eval/test/peers_find.h"
