@@ -4,12 +4,9 @@
 #include "eval/tabletop_frames.h"
 
 #include <limits>
-#include <memory>
 
-#include "core/neighbors.h"
-#include "core/normals.h"
-#include "core/samples.h"
 #include "eval/cloud_vectors.h"
+#include "eval/measured_normals.h"
 #include "synthetic/clutter.h"
 #include "synthetic/frame.h"
 
@@ -48,24 +45,6 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
   }
 }
 
-/// Normals that the detector would measure, where no exact ones are known.
-void measureNormals(const std::vector<std::uint32_t>& pixels, Cloud& cloud) {
-  Samples samples;
-  samples.resize(pixels.size());
-  samples.index = pixels;
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    samples.x[k] = cloud.x[pixels[k]], samples.y[k] = cloud.y[pixels[k]], samples.z[k] = cloud.z[pixels[k]];
-    samples.nx[k] = samples.ny[k] = samples.nz[k] = std::numeric_limits<float>::quiet_NaN();
-  }
-  Params params;
-  params.use_cloud_normals = false;
-  std::unique_ptr<NeighborSearch> unused;
-  estimateNormals(cloud, params, unused, samples);
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    cloud.setNormal(pixels[k], samples.nx[k], samples.ny[k], samples.nz[k]);
-  }
-}
-
 /// The points of the surfaces themselves, where the cloud has a measured one.
 Cloud exactPoints(const View& view, const Cloud& cloud) {
   synthetic::Rendering exact;
@@ -85,9 +64,7 @@ Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
     shapes.push_back(synthetic::transformed(view.world_from_camera.inverse(), surface.shape));
   }
   Cloud scored = exactPoints(view, cloud);
-  for (std::vector<float>* normals : {&scored.nx, &scored.ny, &scored.nz}) {
-    normals->assign(cloud.size(), std::numeric_limits<float>::quiet_NaN());
-  }
+  clearNormals(scored);
   std::vector<std::uint32_t> without_shape;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i) || frame.surface[i] == kNoSurface) continue;

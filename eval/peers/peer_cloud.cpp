@@ -3,40 +3,23 @@
 // Normals for peers; see peer_cloud.h.
 #include "eval/peers/peer_cloud.h"
 
+#include <cstdint>
 #include <cstring>
-#include <limits>
-#include <memory>
+#include <vector>
 
-#include "core/normals.h"
+#include "eval/measured_normals.h"
 
 namespace primitect::eval {
 namespace {
 
-/// All measured points as samples without normals.
-Samples allPoints(const Cloud& cloud) {
-  Samples samples;
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (!cloud.valid(i)) continue;
-    samples.x.push_back(cloud.x[i]);
-    samples.y.push_back(cloud.y[i]);
-    samples.z.push_back(cloud.z[i]);
-    samples.index.push_back(i);
-  }
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  for (std::vector<float>* values : {&samples.nx, &samples.ny, &samples.nz}) values->assign(samples.size(), kMissing);
-  return samples;
-}
-
 Cloud withNormals(const Cloud& cloud) {
-  Samples samples = allPoints(cloud);
-  std::unique_ptr<NeighborSearch> neighbors;
-  estimateNormals(cloud, Params(), neighbors, samples);
-  Cloud result = cloud;
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  for (std::vector<float>* values : {&result.nx, &result.ny, &result.nz}) values->assign(cloud.size(), kMissing);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples.hasNormal(i)) result.setNormal(samples.index[i], samples.nx[i], samples.ny[i], samples.nz[i]);
+  std::vector<std::uint32_t> measured;
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.valid(i)) measured.push_back(i);
   }
+  Cloud result = cloud;
+  clearNormals(result);
+  measureNormals(measured, result);
   return result;
 }
 

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The points as samples, and their normals back; see measured_normals.h.
+#include "eval/measured_normals.h"
+
+#include <limits>
+#include <memory>
+
+#include "core/neighbors.h"
+#include "core/normals.h"
+#include "core/samples.h"
+
+namespace primitect::eval {
+namespace {
+
+constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+
+/// Without normals.
+Samples samplesAt(const std::vector<std::uint32_t>& points, const Cloud& cloud) {
+  Samples samples;
+  samples.resize(points.size());
+  samples.index = points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    samples.x[k] = cloud.x[points[k]], samples.y[k] = cloud.y[points[k]], samples.z[k] = cloud.z[points[k]];
+    samples.nx[k] = samples.ny[k] = samples.nz[k] = kMissing;
+  }
+  return samples;
+}
+
+}  // namespace
+
+void clearNormals(Cloud& cloud) {
+  for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) values->assign(cloud.size(), kMissing);
+}
+
+void measureNormals(const std::vector<std::uint32_t>& points, Cloud& cloud) {
+  Samples samples = samplesAt(points, cloud);
+  Params params;
+  params.use_cloud_normals = false;
+  std::unique_ptr<NeighborSearch> neighbors;
+  estimateNormals(cloud, params, neighbors, samples);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    cloud.setNormal(points[k], samples.nx[k], samples.ny[k], samples.nz[k]);
+  }
+}
+
+}  // namespace primitect::eval
