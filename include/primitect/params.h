@@ -50,8 +50,11 @@ const ParamInfo& paramInfo(const std::string& name);
 /// The value of that name; throws std::invalid_argument when there is none.
 ParamValue getParam(const Params& params, const std::string& name);
 
-/// Sets one value. An int is taken where a double is expected; nothing else is converted.
-/// Throws std::invalid_argument naming parameter, value and range: unknown name, wrong type, out of range.
+/// The value in the type of the row. An int is taken where a double is expected; nothing else is converted.
+/// Throws std::invalid_argument naming parameter, value and range: wrong type, out of range.
+ParamValue checkedValue(const ParamInfo& info, const ParamValue& value);
+
+/// Sets one value, as checkedValue() gives it. Throws std::invalid_argument as it does, and for an unknown name.
 void setParam(Params& params, const std::string& name, const ParamValue& value);
 
 /// Sets one value from text, as on a command line ("true", "12", "0.5", "nms"). Throws as setParam().

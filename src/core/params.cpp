@@ -194,11 +194,15 @@ const ParamInfo& paramInfo(const std::string& name) { return entryOf(name).info;
 
 ParamValue getParam(const Params& params, const std::string& name) { return entryOf(name).get(params); }
 
+ParamValue checkedValue(const ParamInfo& info, const ParamValue& value) {
+  const ParamValue own = converted(info, value);
+  if (!inRange(info, own)) refuse(info, valueText(own));
+  return own;
+}
+
 void setParam(Params& params, const std::string& name, const ParamValue& value) {
   const Entry& entry = entryOf(name);
-  const ParamValue own = converted(entry.info, value);
-  if (!inRange(entry.info, own)) refuse(entry.info, valueText(own));
-  entry.set(params, own);
+  entry.set(params, checkedValue(entry.info, value));
 }
 
 void setParamFromText(Params& params, const std::string& name, const std::string& text) {

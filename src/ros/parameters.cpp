@@ -5,7 +5,6 @@
 
 #include <XmlRpcValue.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace primitect::ros_layer {
@@ -50,22 +49,6 @@ const ParamInfo& rowOf(const std::vector<ParamInfo>& table, const std::string& n
     if (info.name == name) return info;
   }
   throw std::invalid_argument("unknown parameter '" + name + "'");
-}
-
-/// The value in the type of the row; an int may stand for a double.
-ParamValue accepted(const ParamInfo& info, ParamValue value) {
-  if (std::holds_alternative<double>(info.default_value) && std::holds_alternative<int>(value)) {
-    value = static_cast<double>(std::get<int>(value));
-  }
-  bool good = value.index() == info.default_value.index();
-  if (const int* number = std::get_if<int>(&value)) good = good && info.min <= *number && *number <= info.max;
-  if (const double* number = std::get_if<double>(&value)) good = good && info.min <= *number && *number <= info.max;
-  if (const std::string* text = std::get_if<std::string>(&value)) {
-    const auto& choices = info.choices;
-    good = good && (choices.empty() || std::find(choices.begin(), choices.end(), *text) != choices.end());
-  }
-  if (good) return value;
-  throw std::invalid_argument("parameter '" + info.name + "' is " + valueText(value) + ", allowed: " + rangeText(info));
 }
 
 }  // namespace
@@ -146,7 +129,7 @@ std::map<std::string, ParamValue> loadTable(const std::vector<ParamInfo>& table,
   Values loaded;
   for (const ParamInfo& info : table) loaded[info.name] = info.default_value;
   for (const auto& [name, value] : values) {
-    if (!isNodeName(name)) loaded[name] = accepted(rowOf(table, name), value);
+    if (!isNodeName(name)) loaded[name] = checkedValue(rowOf(table, name), value);
   }
   return loaded;
 }
