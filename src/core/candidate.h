@@ -9,6 +9,7 @@ namespace primitect {
 
 struct Candidate {
   Shape shape;
+  bool concave = false;         ///< seen from inside: normals of samples are against the shape's outward ones
   Vec3 point = Vec3::Zero();    ///< the reference that proposed it
   Vec3 normal = Vec3::UnitZ();  ///< of the reference
   double votes = 0.0;           ///< of all proposals merged into it

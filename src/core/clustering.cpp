@@ -60,12 +60,19 @@ struct Cluster {
     proposals += candidate.proposals;
   }
 
-  Candidate average() const {
-    const Parts mean = {sum.point / votes, sum.direction.normalized(), sum.number / votes};
-    return {shapeOf(kindOf(strongest.shape), mean), strongest.point, strongest.normal, votes, proposals};
+  Candidate best() const {
+    Candidate result = strongest;
+    result.votes = votes;
+    result.proposals = proposals;
+    return result;
   }
 
-  Candidate best() const { return {strongest.shape, strongest.point, strongest.normal, votes, proposals}; }
+  Candidate average() const {
+    const Parts mean = {sum.point / votes, sum.direction.normalized(), sum.number / votes};
+    Candidate result = best();
+    result.shape = shapeOf(kindOf(strongest.shape), mean);
+    return result;
+  }
 };
 
 void sortByVotes(std::vector<Candidate>& candidates) {

@@ -72,7 +72,7 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
   const Vec3 normal = toEigen(reference.sample.normal);
   std::optional<Candidate> best;
   const auto propose = [&](const Peak& peak, const Shape& shape) {
-    if (peak.votes > (best ? best->votes : params_.min_votes)) best = Candidate{shape, point, normal, peak.votes};
+    if (peak.votes > (best ? best->votes : params_.min_votes)) best = Candidate{shape, false, point, normal, peak.votes};
   };
   if (const auto peak = accumulators_.planePeak()) propose(*peak, Plane{point, normal});
   if (const auto peak = accumulators_.spherePeak()) propose(*peak, sphereFromVotes(point, normal, peak->radius));

@@ -38,7 +38,7 @@ TEST(Clustering, MergesAveragesThatComeToAgree) {
   const double votes[] = {10.0, 30.0, 20.0};
   for (int k = 0; k < 3; ++k) {
     const Plane plane = {Vec3(0, 0, 1.0 + tops[k]), -Vec3::UnitZ()};
-    candidates.push_back({plane, plane.point, plane.normal, votes[k]});
+    candidates.push_back({plane, false, plane.point, plane.normal, votes[k]});
   }
   // 0.01 d_s = 13 mm: all three agree with the middle one, so one cluster; with the middle one weakest it takes two
   // passes.
