@@ -33,8 +33,13 @@ void Accumulators::clear() {
 }
 
 kernels::Accumulators Accumulators::view() {
-  return {&plane_,      sphere_.data(), cylinder_.data(), cone_.data(),
-          radius_bins_, phi_bins_,      ball_.binCount(), static_cast<float>(1.0 / radius_bin_),
+  return {&plane_,
+          {sphere_.data(), cylinder_.data(), cone_.data()},
+          {nullptr, nullptr, nullptr},
+          radius_bins_,
+          phi_bins_,
+          ball_.binCount(),
+          static_cast<float>(1.0 / radius_bin_),
           ball_.view()};
 }
 

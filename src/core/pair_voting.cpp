@@ -30,6 +30,8 @@ kernels::VotingRules votingRules(const Params& params, double scene_diameter) {
   rules.epsilon = static_cast<float>(epsilon);
   rules.cos_epsilon = static_cast<float>(std::cos(epsilon));
   rules.sin_epsilon_sq = static_cast<float>(std::sin(epsilon) * std::sin(epsilon));
+  rules.convex = true;
+  rules.concave = false;
   rules.spread = params.spread_votes;
   rules.convex_planes = params.convex_planes;
   rules.planes = params.detect_planes;
@@ -72,7 +74,8 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
   const Vec3 normal = toEigen(reference.sample.normal);
   std::optional<Candidate> best;
   const auto propose = [&](const Peak& peak, const Shape& shape) {
-    if (peak.votes > (best ? best->votes : params_.min_votes)) best = Candidate{shape, false, point, normal, peak.votes};
+    if (peak.votes > (best ? best->votes : params_.min_votes))
+      best = Candidate{shape, false, point, normal, peak.votes};
   };
   if (const auto peak = accumulators_.planePeak()) propose(*peak, Plane{point, normal});
   if (const auto peak = accumulators_.spherePeak()) propose(*peak, sphereFromVotes(point, normal, peak->radius));

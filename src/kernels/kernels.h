@@ -14,7 +14,8 @@ struct Vector {
   float x, y, z;
 };
 
-/// A point with its outward unit normal.
+/// A point with its unit normal, towards the sensor: outward on a surface seen from outside, inward on one seen from
+/// inside.
 struct OrientedPoint {
   Vector point;
   Vector normal;
@@ -45,8 +46,9 @@ struct VotingRules {
   float epsilon;          ///< tolerance of NP, PC, AS and VT (rad)
   float cos_epsilon;
   float sin_epsilon_sq;
-  bool spread;         ///< linear interpolation votes and constraint weights; false: 1 into the nearest bin
-  bool convex_planes;  ///< the convexity condition holds for plane pairs too (algorithm 1), not for curved ones alone
+  bool convex, concave;  ///< which sides of curved surfaces vote: seen from outside, from inside
+  bool spread;           ///< linear interpolation votes and constraint weights; false: 1 into the nearest bin
+  bool convex_planes;    ///< a plane pair must lie on a side that votes, too (algorithm 1), not curved ones alone
   bool planes, spheres, cylinders, cones;
 };
 
@@ -69,12 +71,17 @@ struct AxisBall {
   const int* ring_size;   ///< bins of the full turn of ring k; of the equator's, only the first half is stored
 };
 
-/// Votes of one reference; the caller clears them.
-struct Accumulators {
-  float* plane;     ///< 1
+/// Votes for curved surfaces seen from one side; null where that side does not vote.
+struct CurvedBins {
   float* sphere;    ///< radius_bins
   float* cylinder;  ///< radius_bins x phi_bins, phi innermost
   float* cone;      ///< radius_bins x ball_bins, ball innermost
+};
+
+/// Votes of one reference; the caller clears them.
+struct Accumulators {
+  float* plane;  ///< 1, the same from either side
+  CurvedBins convex, concave;
   int radius_bins;
   int phi_bins;  ///< over [0, pi)
   int ball_bins;
@@ -85,7 +92,13 @@ struct Accumulators {
 /// Eq. 2.
 PairFeatures pairFeatures(const OrientedPoint& reference, const OrientedPoint& other);
 
-/// C2 <= 0 and C3 >= 0: what holds on every convex body.
+/// The same seen from the other side of the surface: normals turned round, so (C1, C2, C3, C4) -> (C1, -C2, -C3, C4).
+/// The tangents stay: phi then means the same line on both sides.
+OrientedPoint flipped(const OrientedPoint& sample);
+Reference flipped(const Reference& reference);
+PairFeatures flipped(const PairFeatures& c);
+
+/// C2 <= 0 and C3 >= 0: what holds on every convex body seen from outside; flipped, from inside.
 bool isConvex(const PairFeatures& c);
 
 /// The conditions of table II, column "relaxed (C)".
@@ -122,7 +135,7 @@ LinearSpread spreadCircular(float value_in_bins, int bins);
 /// and azimuth elsewhere (sec. II-D).
 BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis);
 
-/// Algorithm 1 for the pairs of one reference with all samples.
+/// Algorithm 1 for the pairs of one reference with all samples. A pair seen from inside votes as its flipped one would.
 void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators);
 
 }  // namespace primitect::kernels

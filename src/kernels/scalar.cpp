@@ -64,58 +64,62 @@ BallSpread spreadAroundPole(const AxisBall& ball, float polar_angle, float azimu
   return {{0, ringBin(ball, 1, side.bin[0]), ringBin(ball, 1, side.bin[1]), 0}, {pole, first, second, 0.0f}};
 }
 
-void votePlane(const PairFeatures& c, const VotingRules& rules, Accumulators& accumulators) {
+void votePlane(const PairFeatures& c, const VotingRules& rules, const Accumulators& accumulators) {
   accumulators.plane[0] += rules.spread ? planeWeight(c, rules.epsilon) : 1.0f;
 }
 
-void voteCone(const Reference& reference, const OrientedPoint& other, const PairFeatures& c, const VotingRules& rules,
-              Accumulators& accumulators) {
-  const float distance_in_bins = coneAxisDistance(c) * accumulators.bins_per_meter;
-  const Vector axis = coneAxis(reference.sample, other, c);
-  if (!(distance_in_bins < static_cast<float>(accumulators.radius_bins)) || !(dot(axis, axis) > 0.0f)) return;
-  LinearSpread layers = spreadLinear(distance_in_bins, accumulators.radius_bins);
-  BallSpread ball = spreadOnBall(accumulators.ball, axis);
+/// A pair on a surface seen from outside, or the flipped one of a surface seen from inside.
+struct Pair {
+  const Reference& reference;
+  OrientedPoint other;
+  PairFeatures c;
+};
+
+void voteCone(const Pair& pair, const VotingRules& rules, const Accumulators& layout, float* cone) {
+  const float distance_in_bins = coneAxisDistance(pair.c) * layout.bins_per_meter;
+  const Vector axis = coneAxis(pair.reference.sample, pair.other, pair.c);
+  if (!(distance_in_bins < static_cast<float>(layout.radius_bins)) || !(dot(axis, axis) > 0.0f)) return;
+  LinearSpread layers = spreadLinear(distance_in_bins, layout.radius_bins);
+  BallSpread ball = spreadOnBall(layout.ball, axis);
   if (!rules.spread) {
     layers = strongestOnly(layers);
     ball = strongestOnly(ball);
   }
   for (int layer = 0; layer < 2; ++layer) {
-    float* bins = accumulators.cone + layers.bin[layer] * accumulators.ball_bins;
+    float* bins = cone + layers.bin[layer] * layout.ball_bins;
     for (int k = 0; k < 4; ++k) bins[ball.bin[k]] += layers.weight[layer] * ball.weight[k];
   }
 }
 
-void voteCylinder(const Reference& reference, const OrientedPoint& other, float radius_in_bins, float weight,
-                  const VotingRules& rules, Accumulators& accumulators) {
-  const float bins_per_radian = static_cast<float>(accumulators.phi_bins) / kPi;
-  LinearSpread layers = spreadLinear(radius_in_bins, accumulators.radius_bins);
-  LinearSpread angles = spreadCircular(cylinderAngle(reference, other) * bins_per_radian, accumulators.phi_bins);
+void voteCylinder(const Pair& pair, float weight, const VotingRules& rules, const Accumulators& layout,
+                  float* cylinder) {
+  const float bins_per_radian = static_cast<float>(layout.phi_bins) / kPi;
+  LinearSpread layers = spreadLinear(pairRadius(pair.c) * layout.bins_per_meter, layout.radius_bins);
+  LinearSpread angles = spreadCircular(cylinderAngle(pair.reference, pair.other) * bins_per_radian, layout.phi_bins);
   if (!rules.spread) {
     layers = strongestOnly(layers);
     angles = strongestOnly(angles);
   }
   for (int layer = 0; layer < 2; ++layer) {
-    add(accumulators.cylinder + layers.bin[layer] * accumulators.phi_bins, angles, weight * layers.weight[layer]);
+    add(cylinder + layers.bin[layer] * layout.phi_bins, angles, weight * layers.weight[layer]);
   }
 }
 
-void voteSphere(float radius_in_bins, float weight, const VotingRules& rules, Accumulators& accumulators) {
-  const LinearSpread layers = spreadLinear(radius_in_bins, accumulators.radius_bins);
-  add(accumulators.sphere, rules.spread ? layers : strongestOnly(layers), weight);
+void voteSphere(const Pair& pair, float weight, const VotingRules& rules, const Accumulators& layout, float* sphere) {
+  const LinearSpread layers = spreadLinear(pairRadius(pair.c) * layout.bins_per_meter, layout.radius_bins);
+  add(sphere, rules.spread ? layers : strongestOnly(layers), weight);
 }
 
 /// The branch of algorithm 1 for a pair whose normals are not parallel.
-void voteCurved(const Reference& reference, const OrientedPoint& other, const PairFeatures& c, const VotingRules& rules,
-                Accumulators& accumulators) {
-  if (rules.cones) voteCone(reference, other, c, rules, accumulators);
-  if (!(rules.cylinders || rules.spheres) || !anglesSymmetric(c, rules)) return;
-  const float radius_in_bins = pairRadius(c) * accumulators.bins_per_meter;
-  if (!(radius_in_bins < static_cast<float>(accumulators.radius_bins))) return;
-  const float symmetry = rules.spread ? symmetryWeight(c, rules.epsilon) : 1.0f;
-  if (rules.cylinders) voteCylinder(reference, other, radius_in_bins, symmetry, rules, accumulators);
-  if (!rules.spheres || !vectorsTriangular(c, rules)) return;
-  const float triangle = rules.spread ? triangleWeight(c, rules.epsilon) : 1.0f;
-  voteSphere(radius_in_bins, symmetry * triangle, rules, accumulators);
+void voteCurved(const Pair& pair, const VotingRules& rules, const Accumulators& layout, const CurvedBins& bins) {
+  if (rules.cones) voteCone(pair, rules, layout, bins.cone);
+  if (!(rules.cylinders || rules.spheres) || !anglesSymmetric(pair.c, rules)) return;
+  if (!(pairRadius(pair.c) * layout.bins_per_meter < static_cast<float>(layout.radius_bins))) return;
+  const float symmetry = rules.spread ? symmetryWeight(pair.c, rules.epsilon) : 1.0f;
+  if (rules.cylinders) voteCylinder(pair, symmetry, rules, layout, bins.cylinder);
+  if (!rules.spheres || !vectorsTriangular(pair.c, rules)) return;
+  const float triangle = rules.spread ? triangleWeight(pair.c, rules.epsilon) : 1.0f;
+  voteSphere(pair, symmetry * triangle, rules, layout, bins.sphere);
 }
 
 }  // namespace
@@ -125,6 +129,16 @@ PairFeatures pairFeatures(const OrientedPoint& reference, const OrientedPoint& o
                     other.point.z - reference.point.z};
   return {dot(d, d), dot(reference.normal, d), dot(other.normal, d), dot(reference.normal, other.normal)};
 }
+
+OrientedPoint flipped(const OrientedPoint& sample) {
+  return {sample.point, {-sample.normal.x, -sample.normal.y, -sample.normal.z}};
+}
+
+Reference flipped(const Reference& reference) {
+  return {flipped(reference.sample), reference.tangent_y, reference.tangent_z};
+}
+
+PairFeatures flipped(const PairFeatures& c) { return {c.c1, -c.c2, -c.c3, c.c4}; }
 
 bool isConvex(const PairFeatures& c) { return c.c2 <= 0.0f && c.c3 >= 0.0f; }
 
@@ -221,17 +235,21 @@ BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis) {
 }
 
 void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators) {
+  const Reference from_inside = flipped(reference);
   for (std::size_t i = 0; i < samples.count; ++i) {
     const OrientedPoint other = {{samples.x[i], samples.y[i], samples.z[i]},
                                  {samples.nx[i], samples.ny[i], samples.nz[i]}};
     const PairFeatures c = pairFeatures(reference.sample, other);
     if (!(0.0f < c.c1 && c.c1 <= rules.max_distance_sq)) continue;
-    const bool convex = isConvex(c);
+    const bool convex = rules.convex && isConvex(c);
+    const bool concave = rules.concave && !convex && isConvex(flipped(c));
     if (normalsParallel(c, rules)) {
-      if (rules.planes && (convex || !rules.convex_planes) && pointsCoplanar(c, rules))
+      if (rules.planes && (convex || concave || !rules.convex_planes) && pointsCoplanar(c, rules))
         votePlane(c, rules, accumulators);
     } else if (convex) {
-      voteCurved(reference, other, c, rules, accumulators);
+      voteCurved({reference, other, c}, rules, accumulators, accumulators.convex);
+    } else if (concave) {
+      voteCurved({from_inside, flipped(other), flipped(c)}, rules, accumulators, accumulators.concave);
     }
   }
 }

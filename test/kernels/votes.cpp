@@ -17,31 +17,46 @@ using test::SurfacePoint;
 
 constexpr double kDegree = M_PI / 180.0;
 
+/// Votes for curved surfaces seen from one side.
+struct CurvedVotes {
+  std::vector<float> sphere, cylinder, cone;
+
+  void clear(std::size_t radius_bins, std::size_t phi_bins, std::size_t ball_bins) {
+    sphere.assign(radius_bins, 0.0f);
+    cylinder.assign(radius_bins * phi_bins, 0.0f);
+    cone.assign(radius_bins * ball_bins, 0.0f);
+  }
+
+  kernels::CurvedBins view() { return {sphere.data(), cylinder.data(), cone.data()}; }
+};
+
 /// Votes of one reference with given pairs, in a scene of diameter 5 m (R up to 1 m, pairs up to 1 m apart).
 class Ballot {
  public:
-  explicit Ballot(const Params& params = presetParams("paper")) : params_(params) {}
+  explicit Ballot(const Params& params = presetParams("paper")) : rules(votingRules(params, 5.0)) {}
 
   void cast(const SurfacePoint& reference, const std::vector<SurfacePoint>& others) {
-    const double diameter = 5.0;
-    const int phi_bins = 18;
+    cast(referenceAt(test::samplesOf({reference}), 0), others);
+  }
+
+  void cast(const kernels::Reference& reference, const std::vector<SurfacePoint>& others) {
+    const int radius_bins = 40, phi_bins = 18;
     plane = 0.0f;
-    sphere.assign(40, 0.0f);
-    cylinder.assign(40 * phi_bins, 0.0f);
-    cone.assign(40 * static_cast<std::size_t>(ball_.binCount()), 0.0f);
-    kernels::Accumulators bins = {&plane,   sphere.data(),    cylinder.data(), cone.data(), 40,
-                                  phi_bins, ball_.binCount(), 40.0f,           ball_.view()};
+    for (CurvedVotes* side : {&convex, &concave}) side->clear(radius_bins, phi_bins, ball_.binCount());
+    kernels::Accumulators bins = {&plane,   convex.view(),    concave.view(), radius_bins,
+                                  phi_bins, ball_.binCount(), 40.0f,          ball_.view()};
     const Samples samples = test::samplesOf(others);
-    kernels::vote(referenceAt(test::samplesOf({reference}), 0), samples.view(), votingRules(params_, diameter), bins);
+    kernels::vote(reference, samples.view(), rules, bins);
   }
 
   static double mass(const std::vector<float>& votes) { return std::accumulate(votes.begin(), votes.end(), 0.0); }
+  static double mass(const CurvedVotes& side) { return mass(side.sphere) + mass(side.cylinder) + mass(side.cone); }
 
+  kernels::VotingRules rules;
   float plane = 0.0f;
-  std::vector<float> sphere, cylinder, cone;
+  CurvedVotes convex, concave;
 
  private:
-  Params params_;
   AxisBall ball_{10.0 * kDegree};
 };
 
@@ -69,31 +84,31 @@ TEST(Votes, OfAPlanePairGoToThePlaneAlone) {
   ballot.cast(pointOn(plane, 0.0, 0.0), {pointOn(plane, 0.1, 0.2), pointOn(plane, -0.3, 0.1)});
   // Exact but for float rounding of the angles, which costs up to 1e-3 rad of the 10 deg.
   EXPECT_NEAR(ballot.plane, 2.0f, 0.05f);
-  EXPECT_EQ(Ballot::mass(ballot.sphere) + Ballot::mass(ballot.cylinder) + Ballot::mass(ballot.cone), 0.0);
+  EXPECT_EQ(Ballot::mass(ballot.convex), 0.0);
 }
 
 TEST(Votes, OfASpherePairGoToSphereAndCylinderWithMassOne) {
   Ballot ballot;
   ballot.cast(pointOn(kSphere, Vec3(0.0, 0.0, -1.0)), {pointOn(kSphere, Vec3(0.6, 0.0, -0.8))});
   EXPECT_EQ(ballot.plane, 0.0f);
-  EXPECT_NEAR(Ballot::mass(ballot.sphere), 1.0, 0.02);
-  EXPECT_NEAR(Ballot::mass(ballot.cylinder), 1.0, 0.02);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.sphere), 1.0, 0.02);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.cylinder), 1.0, 0.02);
 }
 
 TEST(Votes, OfACylinderPairGoToCylinderAndConeWithMassOne) {
   Ballot ballot;
   ballot.cast(pointOn(kCylinder, 0.0, 0.0), {pointOn(kCylinder, 0.4, 0.8)});
-  EXPECT_EQ(Ballot::mass(ballot.sphere), 0.0);
-  EXPECT_NEAR(Ballot::mass(ballot.cylinder), 1.0, 0.02);
-  EXPECT_NEAR(Ballot::mass(ballot.cone), 1.0, 1e-4);
+  EXPECT_EQ(Ballot::mass(ballot.convex.sphere), 0.0);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.cylinder), 1.0, 0.02);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.cone), 1.0, 1e-4);
 }
 
 TEST(Votes, OfAConePairGoToTheConeAloneWithMassOne) {
   Ballot ballot;
   ballot.cast(pointOn(kCone, 0.3, 0.0), {pointOn(kCone, 0.8, 1.2)});
   EXPECT_EQ(ballot.plane, 0.0f);
-  EXPECT_EQ(Ballot::mass(ballot.sphere) + Ballot::mass(ballot.cylinder), 0.0);
-  EXPECT_NEAR(Ballot::mass(ballot.cone), 1.0, 1e-4);
+  EXPECT_EQ(Ballot::mass(ballot.convex.sphere) + Ballot::mass(ballot.convex.cylinder), 0.0);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.cone), 1.0, 1e-4);
 }
 
 TEST(Votes, WithoutSpreadingFallIntoOneBinEach) {
@@ -101,10 +116,10 @@ TEST(Votes, WithoutSpreadingFallIntoOneBinEach) {
   params.spread_votes = false;
   Ballot ballot(params);
   ballot.cast(pointOn(kCylinder, 0.0, 0.0), {pointOn(kCylinder, 0.4, 0.8)});
-  EXPECT_EQ(std::count(ballot.cylinder.begin(), ballot.cylinder.end(), 1.0f), 1);
-  EXPECT_EQ(std::count(ballot.cone.begin(), ballot.cone.end(), 1.0f), 1);
-  EXPECT_EQ(Ballot::mass(ballot.cylinder), 1.0);
-  EXPECT_EQ(Ballot::mass(ballot.cone), 1.0);
+  EXPECT_EQ(std::count(ballot.convex.cylinder.begin(), ballot.convex.cylinder.end(), 1.0f), 1);
+  EXPECT_EQ(std::count(ballot.convex.cone.begin(), ballot.convex.cone.end(), 1.0f), 1);
+  EXPECT_EQ(Ballot::mass(ballot.convex.cylinder), 1.0);
+  EXPECT_EQ(Ballot::mass(ballot.convex.cone), 1.0);
 }
 
 /// The pair with the other normal turned by an angle within the plane of both normals.
@@ -124,10 +139,10 @@ TEST(Votes, OfAPairOffByHalfOfEpsilonCountHalf) {
   const PairFeaturesOf pair(reference, other);
   Ballot ballot;
   ballot.cast(reference, {other});
-  EXPECT_NEAR(Ballot::mass(ballot.cylinder), pair.symmetry, 0.01);
-  EXPECT_NEAR(Ballot::mass(ballot.sphere), pair.symmetry * pair.triangle, 0.01);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.cylinder), pair.symmetry, 0.01);
+  EXPECT_NEAR(Ballot::mass(ballot.convex.sphere), pair.symmetry * pair.triangle, 0.01);
   EXPECT_NEAR(pair.symmetry, 0.75, 0.01);
-  EXPECT_LT(Ballot::mass(ballot.sphere), 0.9);
+  EXPECT_LT(Ballot::mass(ballot.convex.sphere), 0.9);
 }
 
 TEST(Votes, OfATiltedPlanePairMultiplyThreeWeights) {
@@ -145,10 +160,10 @@ TEST(Votes, SpreadTheConesAxisDistanceBetweenTwoLayers) {
   const double axis_distance = height * std::tan(kCone.half_angle) / std::cos(kCone.half_angle);
   Ballot ballot;
   ballot.cast(pointOn(kCone, height, 0.0), {pointOn(kCone, 0.8, 1.2)});
-  const std::size_t ball_bins = ballot.cone.size() / 40;
+  const std::size_t ball_bins = ballot.convex.cone.size() / 40;
   double mean = 0.0;
-  for (std::size_t bin = 0; bin < ballot.cone.size(); ++bin) {
-    mean += ballot.cone[bin] * (static_cast<double>(bin / ball_bins) + 0.5) / 40.0;
+  for (std::size_t bin = 0; bin < ballot.convex.cone.size(); ++bin) {
+    mean += ballot.convex.cone[bin] * (static_cast<double>(bin / ball_bins) + 0.5) / 40.0;
   }
   EXPECT_NEAR(mean, axis_distance, 1e-3);  // a layer is 25 mm
 }
@@ -160,14 +175,14 @@ TEST(Votes, OfASphereWithoutSpreadingFallIntoOneBin) {
   Ballot ballot(params);
   ballot.cast(reference,
               {turned(reference, pointOn(kSphere, Vec3(std::sin(0.6), 0.0, -std::cos(0.6))), 2.0 * kDegree)});
-  EXPECT_EQ(std::count(ballot.sphere.begin(), ballot.sphere.end(), 1.0f), 1);
-  EXPECT_EQ(Ballot::mass(ballot.sphere), 1.0);
+  EXPECT_EQ(std::count(ballot.convex.sphere.begin(), ballot.convex.sphere.end(), 1.0f), 1);
+  EXPECT_EQ(Ballot::mass(ballot.convex.sphere), 1.0);
 }
 
 TEST(Votes, OfParallelNormalsOnACylinderGoNowhereCurved) {
   Ballot ballot;
   ballot.cast(pointOn(kCylinder, 0.0, 0.0), {pointOn(kCylinder, 0.4, 0.0)});
-  EXPECT_EQ(Ballot::mass(ballot.sphere) + Ballot::mass(ballot.cylinder) + Ballot::mass(ballot.cone), 0.0);
+  EXPECT_EQ(Ballot::mass(ballot.convex), 0.0);
 }
 
 TEST(Votes, OfASlightlyConcavePlanePairCountUnlessPlanesMustBeConvex) {
@@ -183,14 +198,108 @@ TEST(Votes, OfASlightlyConcavePlanePairCountUnlessPlanesMustBeConvex) {
   EXPECT_GT(open.plane, 0.9f);
 }
 
-TEST(Votes, AreNotCastForConcavePairs) {
-  SurfacePoint a = pointOn(kSphere, Vec3(0.0, 0.0, -1.0));
-  SurfacePoint b = pointOn(kSphere, Vec3(0.6, 0.0, -0.8));
-  a.normal = -a.normal;
-  b.normal = -b.normal;
+/// What a sensor within the body sees.
+SurfacePoint fromInside(const SurfacePoint& p) { return {p.point, -p.normal}; }
+
+TEST(Votes, OfConcavePairsAreNotCastWhereConvexOnesAreAskedFor) {
   Ballot ballot;
-  ballot.cast(a, {b});
-  EXPECT_EQ(Ballot::mass(ballot.sphere) + Ballot::mass(ballot.cylinder) + Ballot::mass(ballot.cone), 0.0);
+  ballot.cast(fromInside(pointOn(kSphere, Vec3(0.0, 0.0, -1.0))), {fromInside(pointOn(kSphere, Vec3(0.6, 0.0, -0.8)))});
+  EXPECT_EQ(Ballot::mass(ballot.convex) + Ballot::mass(ballot.concave), 0.0);
+}
+
+TEST(Votes, OfAConcaveSpherePairGoToConcaveSphereAndCylinderWithMassOne) {
+  Ballot ballot;
+  ballot.rules.concave = true;
+  ballot.cast(fromInside(pointOn(kSphere, Vec3(0.0, 0.0, -1.0))), {fromInside(pointOn(kSphere, Vec3(0.6, 0.0, -0.8)))});
+  EXPECT_EQ(Ballot::mass(ballot.convex), 0.0);
+  EXPECT_NEAR(Ballot::mass(ballot.concave.sphere), 1.0, 0.02);
+  EXPECT_NEAR(Ballot::mass(ballot.concave.cylinder), 1.0, 0.02);
+}
+
+TEST(Votes, OfAConcaveConePairGoToTheConcaveConeAloneWithMassOne) {
+  Ballot ballot;
+  ballot.rules.concave = true;
+  ballot.cast(fromInside(pointOn(kCone, 0.3, 0.0)), {fromInside(pointOn(kCone, 0.8, 1.2))});
+  EXPECT_EQ(ballot.plane + Ballot::mass(ballot.convex), 0.0);
+  EXPECT_EQ(Ballot::mass(ballot.concave.sphere) + Ballot::mass(ballot.concave.cylinder), 0.0);
+  EXPECT_NEAR(Ballot::mass(ballot.concave.cone), 1.0, 1e-4);
+}
+
+TEST(Votes, OfConvexPairsAreNotCastWhereConcaveOnesAreAskedFor) {
+  Ballot ballot;
+  ballot.rules.convex = false;
+  ballot.rules.concave = true;
+  ballot.cast(pointOn(kSphere, Vec3(0.0, 0.0, -1.0)), {pointOn(kSphere, Vec3(0.6, 0.0, -0.8))});
+  EXPECT_EQ(Ballot::mass(ballot.convex) + Ballot::mass(ballot.concave), 0.0);
+}
+
+/// Points and normals without any order around the first, and enough parallel ones in its plane that it gets votes.
+std::vector<SurfacePoint> randomPoints(Random& random) {
+  std::vector<SurfacePoint> points = {{Vec3::Zero(), test::randomDirection(random)}};
+  for (int i = 0; i < 4000; ++i) points.push_back({test::randomPoint(random, 0.3), test::randomDirection(random)});
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 normal = (points.front().normal + 0.05 * test::randomDirection(random)).normalized();
+    const Vec3 across = points.front().normal.cross(test::randomPoint(random, 0.3));
+    points.push_back({across, normal});
+  }
+  return points;
+}
+
+/// Negation is exact in floating point: a surface seen from inside gets, bit for bit, the votes of its flipped one.
+TEST(Votes, OfRandomPairsSeenFromInsideAreThoseOfTheFlippedPairs) {
+  Random random(31);
+  for (int trial = 0; trial < 20; ++trial) {
+    const std::vector<SurfacePoint> points = randomPoints(random);
+    std::vector<SurfacePoint> turned_round;
+    for (const SurfacePoint& p : points) turned_round.push_back(fromInside(p));
+    const kernels::Reference reference = referenceAt(test::samplesOf(points), 0);
+    Ballot outside, inside;
+    inside.rules.convex = false;
+    inside.rules.concave = true;
+    outside.cast(reference, points);
+    inside.cast(kernels::flipped(reference), turned_round);
+    for (const double votes : {Ballot::mass(outside.convex.sphere), Ballot::mass(outside.convex.cylinder),
+                               Ballot::mass(outside.convex.cone), static_cast<double>(outside.plane)}) {
+      ASSERT_GT(votes, 0.0);
+    }
+    EXPECT_EQ(inside.concave.sphere, outside.convex.sphere);
+    EXPECT_EQ(inside.concave.cylinder, outside.convex.cylinder);
+    EXPECT_EQ(inside.concave.cone, outside.convex.cone);
+    EXPECT_NEAR(inside.plane, outside.plane, 1e-4 * outside.plane);  // F2 - pi / 2 is rounded elsewhere
+  }
+}
+
+TEST(Votes, OfBothSidesInOnePassAreThoseOfEachAlone) {
+  Random random(32);
+  const std::vector<SurfacePoint> points = randomPoints(random);
+  Ballot convex, concave, both;
+  concave.rules.convex = false;
+  concave.rules.concave = both.rules.concave = true;
+  for (Ballot* ballot : {&convex, &concave, &both}) ballot->cast(points.front(), points);
+  EXPECT_GT(Ballot::mass(both.concave), 0.0);
+  EXPECT_EQ(both.convex.sphere, convex.convex.sphere);
+  EXPECT_EQ(both.convex.cylinder, convex.convex.cylinder);
+  EXPECT_EQ(both.convex.cone, convex.convex.cone);
+  EXPECT_EQ(both.concave.sphere, concave.concave.sphere);
+  EXPECT_EQ(both.concave.cylinder, concave.concave.cylinder);
+  EXPECT_EQ(both.concave.cone, concave.concave.cone);
+  // A plane has no sides: a pair on either one counts.
+  EXPECT_NEAR(both.plane, convex.plane + concave.plane, 1e-4 * both.plane);
+}
+
+TEST(Flipping, TurnsTheNormalsAndTheFeaturesWithThem) {
+  Random random(33);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const kernels::OrientedPoint a = test::toKernel({test::randomPoint(random), test::randomDirection(random)});
+    const kernels::OrientedPoint b = test::toKernel({test::randomPoint(random), test::randomDirection(random)});
+    const kernels::PairFeatures c = kernels::pairFeatures(a, b);
+    const kernels::PairFeatures turned_round = kernels::pairFeatures(kernels::flipped(a), kernels::flipped(b));
+    EXPECT_EQ(turned_round.c1, kernels::flipped(c).c1);
+    EXPECT_EQ(turned_round.c2, kernels::flipped(c).c2);
+    EXPECT_EQ(turned_round.c3, kernels::flipped(c).c3);
+    EXPECT_EQ(turned_round.c4, kernels::flipped(c).c4);
+    EXPECT_FALSE(kernels::isConvex(c) && kernels::isConvex(turned_round));
+  }
 }
 
 TEST(Votes, AreNotCastBeyondThePairDistance) {
@@ -208,15 +317,14 @@ TEST(Votes, SkipTheReferenceItselfAndMissingNormals) {
   missing.normal.setConstant(std::numeric_limits<double>::quiet_NaN());
   Ballot ballot;
   ballot.cast(reference, {reference, missing});
-  EXPECT_EQ(ballot.plane + Ballot::mass(ballot.sphere) + Ballot::mass(ballot.cylinder) + Ballot::mass(ballot.cone),
-            0.0);
+  EXPECT_EQ(ballot.plane + Ballot::mass(ballot.convex), 0.0);
 }
 
 TEST(Votes, ForARadiusBeyondTheLastBinAreNotCast) {
   const Sphere large = {Vec3(0.0, 0.0, 2.0), 1.2};
   Ballot ballot;
   ballot.cast(pointOn(large, Vec3(0.0, 0.0, -1.0)), {pointOn(large, Vec3(std::sin(0.5), 0.0, -std::cos(0.5)))});
-  EXPECT_EQ(Ballot::mass(ballot.sphere) + Ballot::mass(ballot.cylinder) + Ballot::mass(ballot.cone), 0.0);
+  EXPECT_EQ(Ballot::mass(ballot.convex), 0.0);
 }
 
 TEST(Votes, FollowTheSwitchOfEachKind) {
@@ -229,9 +337,9 @@ TEST(Votes, FollowTheSwitchOfEachKind) {
     }
     Ballot ballot(params);
     ballot.cast(reference, {other});
-    EXPECT_EQ(Ballot::mass(ballot.sphere) > 0.0, params.detect_spheres) << only;
-    EXPECT_EQ(Ballot::mass(ballot.cylinder) > 0.0, params.detect_cylinders) << only;
-    EXPECT_EQ(Ballot::mass(ballot.cone) > 0.0, params.detect_cones) << only;
+    EXPECT_EQ(Ballot::mass(ballot.convex.sphere) > 0.0, params.detect_spheres) << only;
+    EXPECT_EQ(Ballot::mass(ballot.convex.cylinder) > 0.0, params.detect_cylinders) << only;
+    EXPECT_EQ(Ballot::mass(ballot.convex.cone) > 0.0, params.detect_cones) << only;
   }
 }
 
@@ -255,9 +363,9 @@ TEST(Votes, SurviveRandomNoise) {
   for (int i = 0; i < 2000; ++i) points.push_back({test::randomPoint(random, 0.4), test::randomDirection(random)});
   Ballot ballot;
   ballot.cast(points.front(), points);
-  EXPECT_LT(Ballot::mass(ballot.cone), 2000.0);
-  EXPECT_GT(Ballot::mass(ballot.cone), 0.0);
-  for (const float votes : ballot.cone) EXPECT_GE(votes, 0.0f);
+  EXPECT_LT(Ballot::mass(ballot.convex.cone), 2000.0);
+  EXPECT_GT(Ballot::mass(ballot.convex.cone), 0.0);
+  for (const float votes : ballot.convex.cone) EXPECT_GE(votes, 0.0f);
 }
 
 }  // namespace
