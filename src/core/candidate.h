@@ -16,4 +16,9 @@ struct Candidate {
   int proposals = 1;            ///< how many references proposed it
 };
 
+/// Unit normal of the shape's surface nearest to p on the side that is seen: outward, or inward where it is concave.
+inline Vec3 seenNormalAt(const Shape& shape, bool concave, const Vec3& p) {
+  return concave ? Vec3(-normalAt(shape, p)) : normalAt(shape, p);
+}
+
 }  // namespace primitect

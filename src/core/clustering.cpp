@@ -101,9 +101,9 @@ void clusterOnce(std::vector<Candidate>& candidates, double distance, double ang
 }  // namespace
 
 bool agrees(const Candidate& candidate, const Candidate& other, double max_distance, double max_angle) {
-  if (candidate.shape.index() != other.shape.index()) return false;
+  if (candidate.shape.index() != other.shape.index() || candidate.concave != other.concave) return false;
   if (!(std::abs(distance(other.shape, candidate.point)) < max_distance)) return false;
-  return candidate.normal.dot(normalAt(other.shape, candidate.point)) > std::cos(max_angle);
+  return candidate.normal.dot(seenNormalAt(other.shape, other.concave, candidate.point)) > std::cos(max_angle);
 }
 
 void clusterCandidates(std::vector<Candidate>& candidates, const Params& params, double scene_diameter) {

@@ -11,7 +11,7 @@
 namespace primitect {
 
 /// The reference of `candidate` lies within `distance` (m) of the other's surface, and its normal agrees within the
-/// angle (rad). Different kinds never agree.
+/// angle (rad). Different kinds never agree, nor do shapes seen from different sides.
 bool agrees(const Candidate& candidate, const Candidate& other, double distance, double angle);
 
 /// Merges by weighted average (weights: votes), or keeps the strongest of those that agree (params.clustering = nms).

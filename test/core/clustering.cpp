@@ -83,6 +83,46 @@ TEST(Clustering, KeepsKindsDistancesAndNormalsApart) {
   EXPECT_EQ(candidates.size(), 4u);
 }
 
+/// Inner wall of a tube at its lowest point, seen from above.
+Candidate tubeCandidate(double radius, double votes) {
+  const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitX(), radius};
+  return {tube, true, Vec3(0, 0, 1 + radius), -Vec3::UnitZ(), votes};
+}
+
+TEST(Clustering, AveragesShapesSeenFromInside) {
+  std::vector<Candidate> candidates = {tubeCandidate(0.100, 30.0), tubeCandidate(0.104, 10.0)};
+  clusterCandidates(candidates, presetParams("paper"), 2.0);
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_NEAR(std::get<Cylinder>(candidates[0].shape).radius, 0.101, 1e-12);
+  EXPECT_TRUE(candidates[0].concave);
+}
+
+TEST(Clustering, WithNmsKeepsTheSideOfTheStrongest) {
+  std::vector<Candidate> candidates = {tubeCandidate(0.100, 30.0), tubeCandidate(0.104, 10.0)};
+  clusterCandidates(candidates, presetParams("drost"), 2.0);
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_TRUE(candidates[0].concave);
+}
+
+TEST(Clustering, KeepsTheSidesOfOneShapeApart) {
+  // A thin tube seen from both sides: the same cylinder, found outside and inside.
+  const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitX(), 0.1};
+  std::vector<Candidate> candidates = {tubeCandidate(0.1, 10.0), candidate(tube, pointOn(tube, 0.0, 0.0), 10.0)};
+  clusterCandidates(candidates, presetParams("paper"), 2.0);
+  EXPECT_EQ(candidates.size(), 2u);
+}
+
+TEST(Agreement, OfShapesSeenFromInsideTakesTheInwardNormalAndTheSameSide) {
+  const Candidate tube = tubeCandidate(0.1, 10.0);
+  Candidate other = tube;
+  EXPECT_TRUE(agrees(other, tube, 0.02, 20.0 * kDegree));
+  other.concave = false;
+  EXPECT_FALSE(agrees(other, tube, 0.02, 20.0 * kDegree));
+  other = tube;
+  other.normal = Vec3::UnitZ();  // outward
+  EXPECT_FALSE(agrees(other, tube, 0.02, 20.0 * kDegree));
+}
+
 TEST(Clustering, SortsByVotes) {
   std::vector<Candidate> candidates;
   for (int k = 0; k < 5; ++k) {
