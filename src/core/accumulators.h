@@ -8,6 +8,7 @@
 
 #include "core/axis_ball.h"
 #include "kernels/kernels.h"
+#include "primitect/params.h"
 
 namespace primitect {
 
@@ -19,11 +20,18 @@ struct Peak {
   Vec3 axis = Vec3::UnitZ();  ///< cone: unit, sign not known
 };
 
-/// Bins of all four kinds (paper, table I and sec. "Choice of parameters").
+/// From where a curved surface is seen: outside, or inside.
+enum class Side { convex, concave };
+constexpr Side kSides[] = {Side::convex, Side::concave};
+
+/// Whether surfaces seen from that side are looked for (params.convexity).
+bool votes(Side side, const Params& params);
+
+/// Bins of all four kinds (paper, table I and sec. "Choice of parameters"), of the curved ones for each side that
+/// votes.
 class Accumulators {
  public:
-  /// angle_bin in rad. average_bins: peaks are weighted averages over neighbouring bins (else: bin centres).
-  Accumulators(int radius_bins, double angle_bin, bool average_bins);
+  explicit Accumulators(const Params& params);
 
   /// Width of the bins of R and s_r (m), 1 at first.
   void setRadiusBin(double radius_bin) { radius_bin_ = radius_bin; }
@@ -33,20 +41,28 @@ class Accumulators {
 
   /// Nothing when there are no votes.
   std::optional<Peak> planePeak() const;
-  std::optional<Peak> spherePeak() const;
-  std::optional<Peak> cylinderPeak() const;
-  std::optional<Peak> conePeak() const;
+  std::optional<Peak> spherePeak(Side side) const;
+  std::optional<Peak> cylinderPeak(Side side) const;
+  std::optional<Peak> conePeak(Side side) const;
 
  private:
+  /// Empty where the side does not vote.
+  struct Curved {
+    std::vector<float> sphere, cylinder, cone;
+
+    kernels::CurvedBins view() { return {sphere.data(), cylinder.data(), cone.data()}; }
+  };
+
+  const Curved& of(Side side) const { return side == Side::convex ? convex_ : concave_; }
   double binRadius(int bin) const { return (bin + 0.5) * radius_bin_; }
 
   double radius_bin_ = 1.0;
   int radius_bins_;
   int phi_bins_;
-  bool average_bins_;
+  bool average_bins_;  ///< peaks are weighted averages over neighbouring bins (else: bin centres)
   AxisBall ball_;
   float plane_ = 0.0f;
-  std::vector<float> sphere_, cylinder_, cone_;
+  Curved convex_, concave_;
 };
 
 }  // namespace primitect

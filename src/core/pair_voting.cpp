@@ -30,8 +30,8 @@ kernels::VotingRules votingRules(const Params& params, double scene_diameter) {
   rules.epsilon = static_cast<float>(epsilon);
   rules.cos_epsilon = static_cast<float>(std::cos(epsilon));
   rules.sin_epsilon_sq = static_cast<float>(std::sin(epsilon) * std::sin(epsilon));
-  rules.convex = true;
-  rules.concave = false;
+  rules.convex = votes(Side::convex, params);
+  rules.concave = votes(Side::concave, params);
   rules.spread = params.spread_votes;
   rules.convex_planes = params.convex_planes;
   rules.planes = params.detect_planes;
@@ -66,28 +66,39 @@ std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const V
   return Cone{apex, signed_axis, std::asin(std::min(sine, 1.0))};
 }
 
-PairVoting::PairVoting(const Params& params)
-    : params_(params), accumulators_(params.radius_bins, params.angle_bin_deg * kDegree, params.average_bins) {}
+PairVoting::PairVoting(const Params& params) : params_(params), accumulators_(params) {}
+
+void PairVoting::propose(const Peak& peak, Candidate candidate, std::optional<Candidate>& best) const {
+  if (!(peak.votes > (best ? best->votes : params_.min_votes))) return;
+  candidate.votes = peak.votes;
+  best = candidate;
+}
+
+void PairVoting::proposeCurved(const kernels::Reference& reference, Side side, std::optional<Candidate>& best) const {
+  const bool concave = side == Side::concave;
+  const Vec3 point = toEigen(reference.sample.point);
+  const Vec3 normal = toEigen(reference.sample.normal);
+  const Vec3 outward = concave ? Vec3(-normal) : normal;
+  if (const auto peak = accumulators_.spherePeak(side)) {
+    propose(*peak, {sphereFromVotes(point, outward, peak->radius), concave, point, normal}, best);
+  }
+  if (const auto peak = accumulators_.cylinderPeak(side)) {
+    const Vec3 axis =
+        std::cos(peak->angle) * toEigen(reference.tangent_y) + std::sin(peak->angle) * toEigen(reference.tangent_z);
+    propose(*peak, {cylinderFromVotes(point, outward, axis, peak->radius), concave, point, normal}, best);
+  }
+  if (const auto peak = accumulators_.conePeak(side)) {
+    const std::optional<Cone> cone = coneFromVotes(point, outward, peak->axis, peak->radius);
+    if (cone && withinLimits(*cone, params_)) propose(*peak, {*cone, concave, point, normal}, best);
+  }
+}
 
 std::optional<Candidate> PairVoting::strongest(const kernels::Reference& reference) const {
   const Vec3 point = toEigen(reference.sample.point);
   const Vec3 normal = toEigen(reference.sample.normal);
   std::optional<Candidate> best;
-  const auto propose = [&](const Peak& peak, const Shape& shape) {
-    if (peak.votes > (best ? best->votes : params_.min_votes))
-      best = Candidate{shape, false, point, normal, peak.votes};
-  };
-  if (const auto peak = accumulators_.planePeak()) propose(*peak, Plane{point, normal});
-  if (const auto peak = accumulators_.spherePeak()) propose(*peak, sphereFromVotes(point, normal, peak->radius));
-  if (const auto peak = accumulators_.cylinderPeak()) {
-    const Vec3 axis =
-        std::cos(peak->angle) * toEigen(reference.tangent_y) + std::sin(peak->angle) * toEigen(reference.tangent_z);
-    propose(*peak, cylinderFromVotes(point, normal, axis, peak->radius));
-  }
-  if (const auto peak = accumulators_.conePeak()) {
-    const std::optional<Cone> cone = coneFromVotes(point, normal, peak->axis, peak->radius);
-    if (cone && withinLimits(*cone, params_)) propose(*peak, *cone);
-  }
+  if (const auto peak = accumulators_.planePeak()) propose(*peak, {Plane{point, normal}, false, point, normal}, best);
+  for (const Side side : kSides) proposeCurved(reference, side, best);
   return best;
 }
 

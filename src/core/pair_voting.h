@@ -19,7 +19,7 @@ kernels::VotingRules votingRules(const Params& params, double scene_diameter);
 /// The reference's local frame: the rows of R_x, which turns its normal to the positive x axis.
 kernels::Reference referenceAt(const Samples& samples, std::size_t i);
 
-/// Shapes from voting parameters and the reference (point, unit normal), lengths in m, angles in rad.
+/// Shapes from voting parameters and the reference (point, outward unit normal), lengths in m, angles in rad.
 Sphere sphereFromVotes(const Vec3& point, const Vec3& normal, double radius);
 Cylinder cylinderFromVotes(const Vec3& point, const Vec3& normal, const Vec3& axis, double radius);
 /// Apex, signed axis and half angle of the paper's eq. 11 to 13. Nothing when the axis is parallel to the tangent plane
@@ -36,6 +36,9 @@ class PairVoting {
 
  private:
   std::optional<Candidate> strongest(const kernels::Reference& reference) const;
+  void proposeCurved(const kernels::Reference& reference, Side side, std::optional<Candidate>& best) const;
+  /// Makes it the best one if the peak has more votes than min_votes and what was best.
+  void propose(const Peak& peak, Candidate candidate, std::optional<Candidate>& best) const;
 
   Params params_;
   Accumulators accumulators_;

@@ -118,6 +118,7 @@ const std::map<std::string, std::vector<Setting>>& presets() {
       {"detect_spheres", true},
       {"detect_cylinders", true},
       {"detect_cones", true},
+      {"convexity", std::string("convex")},
       {"scene_diameter", 0.0},
       {"verify", false},
       {"inlier_distance", 0.005},

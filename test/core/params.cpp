@@ -106,6 +106,7 @@ TEST(Presets, PaperIsTheSectionChoiceOfParameters) {
   EXPECT_EQ(paper.min_votes, 8.0);
   EXPECT_EQ(paper.cluster_distance, 0.01);
   EXPECT_EQ(paper.cluster_angle_deg, 20.0);
+  EXPECT_EQ(paper.convexity, "convex");
   EXPECT_TRUE(paper.spread_votes && paper.average_bins && paper.clustering == "average");
 }
 

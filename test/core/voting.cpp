@@ -6,38 +6,20 @@
 #include <algorithm>
 #include <limits>
 
+#include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
 
+using test::candidatesOf;
+using test::median;
 using test::patchOf;
 using test::pointOn;
+using test::shapesOf;
 using test::SurfacePoint;
 
 constexpr double kDegree = M_PI / 180.0;
-
-/// Strongest candidate of one reference among exact samples; only the kinds of the paper's joint voting that are on.
-std::vector<Candidate> candidatesOf(const std::vector<SurfacePoint>& points, double diameter,
-                                    const Params& params = presetParams("paper")) {
-  std::vector<Candidate> candidates;
-  PairVoting(params).vote(test::samplesOf(points), diameter, candidates);
-  return candidates;
-}
-
-template <class T>
-std::vector<T> shapesOf(const std::vector<Candidate>& candidates) {
-  std::vector<T> shapes;
-  for (const Candidate& candidate : candidates) {
-    if (const T* shape = std::get_if<T>(&candidate.shape)) shapes.push_back(*shape);
-  }
-  return shapes;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 TEST(SphereVotes, FindRadiusBetweenTwoBins) {
   Random random(21);
