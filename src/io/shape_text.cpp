@@ -47,9 +47,14 @@ std::string sizeText(const Detection& detection) {
   return std::visit([&](const auto& shape) { return shapeSize(shape, detection.extent); }, detection.shape);
 }
 
+std::string kindText(const Detection& detection) {
+  const std::string kind = kindName(kindOf(detection.shape));
+  return detection.concave ? "concave " + kind : kind;
+}
+
 std::string nameText(const Detection& detection) {
   const std::string size = sizeText(detection);
-  const std::string kind = kindName(kindOf(detection.shape));
+  const std::string kind = kindText(detection);
   return size.empty() ? kind : kind + " " + size;
 }
 

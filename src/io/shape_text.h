@@ -15,6 +15,9 @@ std::string lengthText(double metres);
 /// "610 x 420 mm", "r 203 mm", "r 39 mm", "half angle 12.3 deg"; a plane of unknown extent has no size: "".
 std::string sizeText(const Detection& detection);
 
+/// "cylinder"; seen from inside "concave cylinder".
+std::string kindText(const Detection& detection);
+
 /// Kind and size: "cylinder r 39 mm".
 std::string nameText(const Detection& detection);
 

@@ -34,9 +34,7 @@ std::string length(double metres) {
   return text;
 }
 
-}  // namespace
-
-std::string describe(const Primitive& primitive) {
+std::string describeShape(const Primitive& primitive) {
   char text[32];
   switch (primitive.type) {
     case Primitive::PLANE:
@@ -50,6 +48,12 @@ std::string describe(const Primitive& primitive) {
       std::snprintf(text, sizeof text, "cone %.0f deg", primitive.half_angle * 180.0 / M_PI);
       return text + ("\nlength " + length(primitive.size[2]));
   }
+}
+
+}  // namespace
+
+std::string describe(const Primitive& primitive) {
+  return (primitive.concave ? "concave " : "") + describeShape(primitive);
 }
 
 Vec3 textPosition(const Primitive& primitive, const Vec3& up, double height) {

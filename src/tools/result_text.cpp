@@ -33,7 +33,7 @@ std::string fullSize(const Detection& detection) {
 std::string rowText(std::size_t number, const Detection& detection) {
   const Vec3& p = detection.extent.origin;
   const std::string rms = detection.rms_error < 0.0f ? "-" : format("%.1f mm", 1000.0 * detection.rms_error);
-  return format("  %3zu  %-8s  %-36s  %8.3f %8.3f %8.3f  %7u  %7.0f  %s\n", number, kindName(kindOf(detection.shape)),
+  return format("  %3zu  %-16s  %-36s  %8.3f %8.3f %8.3f  %7u  %7.0f  %s\n", number, io::kindText(detection).c_str(),
                 fullSize(detection).c_str(), p.x(), p.y(), p.z(), detection.inlier_count, detection.votes, rms.c_str());
 }
 
@@ -98,7 +98,8 @@ std::string resultText(const io::FileReport& report, const Cloud& whole, const D
     text += "  nothing found: " + emptyText(found, whole, range) + "\n";
   } else {
     text +=
-        "    #  kind      size                                         position (m)         inliers    votes  rms\n";
+        "    #  kind              size                                         position (m)         inliers    votes  "
+        "rms\n";
   }
   for (std::size_t i = 0; i < found.items.size(); ++i) text += rowText(i + 1, found.items[i]);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));

@@ -100,6 +100,14 @@ TEST(JsonReport, FillsKnownFields) {
   EXPECT_EQ(json["extent"]["hull"][1], Json({1.0, 0.0, 1.0}));
 }
 
+TEST(JsonReport, SaysWhatIsSeenFromInside) {
+  FileReport report = fourKinds();
+  report.detections.items[1].concave = true;
+  const Json primitives = Json::parse(reportJson(report))["primitives"];
+  EXPECT_EQ(primitives[0]["concave"], false);
+  EXPECT_EQ(primitives[1]["concave"], true);
+}
+
 TEST(JsonReport, SaysWhyNothingCameOut) {
   FileReport empty;
   empty.detections.status = Status::empty_input;
@@ -139,6 +147,13 @@ TEST(NamesOfShapes, TellKindAndSizeInSuitableUnits) {
   EXPECT_EQ(nameText(detectionOf(Cylinder{{}, {0, 0, 1}, 1.714})), "cylinder r 1.71 m");
   EXPECT_EQ(nameText(detectionOf(Cone{{}, {0, 0, 1}, 0.5235987755982988})), "cone half angle 30.0 deg");
   EXPECT_EQ(lengthText(0.0043), "4.3 mm");
+}
+
+TEST(NamesOfShapes, SayWhatIsSeenFromInside) {
+  Detection tube = detectionOf(Cylinder{{0, 0, 1}, {0, 1, 0}, 0.0393});
+  tube.concave = true;
+  EXPECT_EQ(kindText(tube), "concave cylinder");
+  EXPECT_EQ(nameText(tube), "concave cylinder r 39 mm");
 }
 
 }  // namespace

@@ -108,6 +108,17 @@ TEST(Markers, ShowSphereAndCylinderInTheirSize) {
   EXPECT_EQ(markerOf(array, "cylinder_text").text, "cylinder r 39 mm\nlength 120 mm");
 }
 
+TEST(Markers, OfAShapeSeenFromInsideSaySoAndAreDrawnAlike) {
+  Detection tube = cylinderUpright();
+  const auto outside = MarkerWriter().update(messageOf({tube}), MarkerStyle());
+  tube.concave = true;
+  const auto inside = MarkerWriter().update(messageOf({tube}), MarkerStyle());
+  EXPECT_EQ(markerOf(inside, "cylinder_text").text, "concave cylinder r 39 mm\nlength 120 mm");
+  ASSERT_EQ(inside.markers.size(), outside.markers.size());
+  EXPECT_EQ(markerOf(inside, "cylinder").scale.x, markerOf(outside, "cylinder").scale.x);
+  EXPECT_EQ(markerOf(inside, "cylinder").scale.z, markerOf(outside, "cylinder").scale.z);
+}
+
 TEST(Markers, FillThePlanesOutline) {
   MarkerWriter writer;
   const auto array = writer.update(messageOf({squareFacingTheSensor()}), MarkerStyle());
