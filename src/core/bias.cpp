@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/covariance.h"
+#include "core/evenly.h"
 #include "core/residuals.h"
 
 namespace primitect {
@@ -69,7 +70,9 @@ Shape withoutBias(const Shape& shape, const std::vector<Vec3>& inliers, const st
   return std::visit(
       [&](const auto& s) -> Shape {
         Sums sums;
-        for (const Vec3& p : inliers) add(s, p, sigma(p), direction, sums);
+        // The correction is a mean: with more points it would be the same.
+        constexpr std::size_t kMostPoints = 1021;
+        forEvenly(inliers, kMostPoints, [&](const Vec3& p) { add(s, p, sigma(p), direction, sums); });
         return corrected(s, sums);
       },
       shape);
