@@ -138,7 +138,7 @@ double coverageOf(const Plane&, const Extent& extent, const std::vector<Vec3>& i
 /// Sum of the arcs between neighbouring angles that leave no gap.
 double arcOf(std::vector<double> angles) {
   if (angles.empty()) return 0.0;
-  // Random angles leave gaps of a few mean spacings: of 60 all around the widest is 28 deg, one in ten 38.
+  // Random angles leave gaps of a few mean spacings: of 60 all around the widest is 27 deg, one in ten 37.
   const double gap = std::max(15.0 * M_PI / 180.0, 12.0 * M_PI / static_cast<double>(angles.size()));
   std::sort(angles.begin(), angles.end());
   double unseen = 0.0;
