@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Shares of areas by probing them, and arcs from the gaps between angles; see coverage.h.
+#include "core/coverage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/evenly.h"
+
+namespace primitect {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+constexpr std::size_t kProbes = 200;  // a share of one half is then known to 0.02, of evenly spread ones
+constexpr std::size_t kMostInliers = 400;
+/// Inliers around a probe: enough that chance leaves no hole, see covered().
+constexpr double kNeighbors = 24.0;
+
+/// What lies around a probe: weighted sum of the offsets, and of the weights.
+template <class Vector>
+struct Around {
+  Vector sum = Vector::Zero();
+  double weight = 0.0;
+
+  void add(const Vector& offset, double reach, double weight_here = 1.0) {
+    if (offset.squaredNorm() >= reach * reach) return;
+    sum += weight_here * offset;
+    weight += weight_here;
+  }
+  Vector mean() const { return sum / weight; }
+};
+
+/// The probe lies within what the inliers cover, not beside it. On a straight border they fill half of the disc, whose
+/// centroid is 4 / (3 pi) of the reach away from its middle; `expected` is the centroid of a disc full of inliers. With
+/// 12 inliers, which scatter by 0.5 / sqrt(12), 1.3 % of the probes in their midst are taken for uncovered, with 24
+/// none.
+template <class Vector>
+bool covered(const Around<Vector>& inliers, const Vector& expected, double reach) {
+  constexpr double kHalfDisc = 4.0 / (3.0 * M_PI);
+  return inliers.weight > 0.0 && (inliers.mean() - expected).norm() < kHalfDisc * reach;
+}
+
+/// Directions all over the sphere, evenly spread (spherical Fibonacci lattice).
+Vec3 probeDirection(std::size_t k) {
+  const double golden_angle = M_PI * (3.0 - std::sqrt(5.0));
+  const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / kProbes;
+  const double radius = std::sqrt(1.0 - z * z), angle = golden_angle * static_cast<double>(k);
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+double coverageOf(const Sphere& sphere, const Extent&, const std::vector<Vec3>& inliers) {
+  struct Inlier {
+    Vec3 direction;
+    double weight;
+  };
+  std::vector<Inlier> seen;
+  // Towards the limb a camera's points are sparser on the surface.
+  constexpr double kLeastCosine = 0.2;
+  forEvenly(inliers, kMostInliers, [&](const Vec3& p) {
+    const Vec3 direction = normalAt(sphere, p);
+    seen.push_back({direction, 1.0 / std::max(std::abs(direction.dot(p.normalized())), kLeastCosine)});
+  });
+  // A cap of this reach (rad) is reach^2 / 4 of the sphere. A sensor sees less than half of it.
+  constexpr double kSeen = 0.45, kWidest = 0.8;
+  const double reach = std::min(kWidest, std::sqrt(4.0 * kNeighbors * kSeen / static_cast<double>(seen.size())));
+  std::size_t hits = 0;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const Vec3 probe = probeDirection(k);
+    Around<Vec3> around;
+    for (const Inlier& inlier : seen) around.add(inlier.direction - probe, reach, inlier.weight);
+    // Across the probe: along it the cap's own bulge would count.
+    around.sum -= around.sum.dot(probe) * probe;
+    hits += covered(around, Vec3(Vec3::Zero()), reach) ? 1 : 0;
+  }
+  return static_cast<double>(hits) / kProbes;
+}
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The convex hull in the plane's own coordinates.
+struct Outline {
+  std::vector<Vec2> corners;
+
+  bool contains(const Vec2& p) const {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Vec2& corner = corners[k];
+      if (cross(corners[(k + 1) % corners.size()] - corner, p - corner) < 0.0) return false;
+    }
+    return true;
+  }
+  double area() const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < corners.size(); ++k) sum += 0.5 * cross(corners[k], corners[(k + 1) % corners.size()]);
+    return sum;
+  }
+};
+
+/// Points all over the outline, evenly spread (R2 sequence).
+std::vector<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+  constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
+  const double box = extent.size.x() * extent.size.y();
+  const auto draws = static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, 10.0));
+  std::vector<Vec2> probes;
+  for (std::size_t k = 1; k <= draws; ++k) {
+    const double x = std::fmod(kStepX * static_cast<double>(k), 1.0) - 0.5;
+    const double y = std::fmod(kStepY * static_cast<double>(k), 1.0) - 0.5;
+    const Vec2 probe(x * extent.size.x(), y * extent.size.y());
+    if (outline.contains(probe)) probes.push_back(probe);
+  }
+  return probes;
+}
+
+double coverageOf(const Plane&, const Extent& extent, const std::vector<Vec3>& inliers) {
+  const auto flat = [&extent](const Vec3& p) -> Vec2 {
+    return (extent.rotation.transpose() * (p - extent.origin)).head<2>();
+  };
+  Outline outline;
+  for (const Vec3& corner : extent.hull) outline.corners.push_back(flat(corner));
+  // A line of points has no holes that could be told from its spacing.
+  if (!(outline.area() > 1e-6 * extent.size.squaredNorm())) return 1.0;
+  std::vector<Vec2> points;
+  forEvenly(inliers, kMostInliers, [&](const Vec3& p) { points.push_back(flat(p)); });
+  const std::vector<Vec2> probes = probesIn(outline, extent);
+  const double reach = std::sqrt(kNeighbors * outline.area() / (M_PI * static_cast<double>(points.size())));
+  std::size_t hits = 0;
+  for (const Vec2& probe : probes) {
+    Around<Vec2> found, possible;
+    for (const Vec2& point : points) found.add(point - probe, reach);
+    for (const Vec2& other : probes) possible.add(other - probe, reach);
+    hits += covered(found, possible.mean(), reach) ? 1 : 0;
+  }
+  return probes.empty() ? 1.0 : static_cast<double>(hits) / static_cast<double>(probes.size());
+}
+
+/// Sum of the arcs between neighbouring angles that leave no gap.
+double arcOf(std::vector<double> angles) {
+  if (angles.empty()) return 0.0;
+  // Random angles leave gaps of a few mean spacings: of 60 all around the widest is 27 deg, one in ten 37.
+  const double gap = std::max(15.0 * M_PI / 180.0, 12.0 * M_PI / static_cast<double>(angles.size()));
+  std::sort(angles.begin(), angles.end());
+  double unseen = 0.0;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const bool last = k + 1 == angles.size();
+    const double step = last ? angles.front() + 2.0 * M_PI - angles.back() : angles[k + 1] - angles[k];
+    if (step > gap) unseen += step;
+  }
+  return std::max(2.0 * M_PI - unseen, 0.0);
+}
+
+/// Around the axis of the extent, of points at least so far (m) from it.
+double arcAround(const Extent& extent, const std::vector<Vec3>& inliers, double least_radius) {
+  std::vector<double> angles;
+  forEvenly(inliers, kMostInliers, [&](const Vec3& p) {
+    const Vec3 place = extent.rotation.transpose() * (p - extent.origin);
+    if (place.head<2>().norm() >= least_radius) angles.push_back(std::atan2(place.y(), place.x()));
+  });
+  return arcOf(angles);
+}
+
+double coverageOf(const Cylinder& cylinder, const Extent& extent, const std::vector<Vec3>& inliers) {
+  return observedArc(cylinder, extent, inliers) / (2.0 * M_PI);
+}
+double coverageOf(const Cone& cone, const Extent& extent, const std::vector<Vec3>& inliers) {
+  return observedArc(cone, extent, inliers) / (2.0 * M_PI);
+}
+
+}  // namespace
+
+double observedArc(const Shape& shape, const Extent& extent, const std::vector<Vec3>& inliers) {
+  constexpr double kNearApex = 0.3;  // of the radius at the wide end: a tenth of a pointed cone's surface
+  switch (kindOf(shape)) {
+    case Kind::cylinder:
+      return arcAround(extent, inliers, 0.0);
+    case Kind::cone:
+      return arcAround(extent, inliers, kNearApex * extent.radius);
+    case Kind::plane:
+    case Kind::sphere:
+      break;
+  }
+  return 2.0 * M_PI;
+}
+
+float measureCoverage(const Shape& shape, const Extent& extent, const std::vector<Vec3>& inliers) {
+  if (inliers.empty()) return 0.0f;
+  const double share = std::visit([&](const auto& s) { return coverageOf(s, extent, inliers); }, shape);
+  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace primitect

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// x / z is linear in the column, y / z in the row; see image_rays.h.
+#include "core/image_rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace primitect {
+namespace {
+
+/// Least squares y = offset + scale * x.
+struct Line {
+  double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+
+  void add(double at, double value) {
+    count += 1.0, x += at, y += value, xx += at * at, xy += at * value, yy += value * value;
+  }
+  double spread() const { return xx - x * x / count; }
+  double scale() const { return (xy - x * y / count) / spread(); }
+  double offset() const { return (y - scale() * x) / count; }
+  /// Root mean square of what is left, in units of x: pixels.
+  double misfit() const {
+    const double rest = yy - y * y / count - scale() * scale() * spread();
+    return std::sqrt(std::max(rest, 0.0) / count) / std::abs(scale());
+  }
+};
+
+bool anyInColumn(const Cloud& cloud, int column) {
+  for (std::size_t i = column; i < cloud.size(); i += cloud.width) {
+    if (cloud.valid(i)) return true;
+  }
+  return false;
+}
+
+bool anyInRow(const Cloud& cloud, int row) {
+  for (std::size_t i = 0; i < cloud.width; ++i) {
+    if (cloud.valid(static_cast<std::size_t>(row) * cloud.width + i)) return true;
+  }
+  return false;
+}
+
+/// Sensors measure nothing in the outermost few percent of their image. A wider empty margin is an empty scene.
+void findBorder(const Cloud& cloud, ImageRays& rays) {
+  constexpr double kWidestMargin = 0.05;
+  const int width = static_cast<int>(cloud.width), height = static_cast<int>(cloud.height);
+  const int margin_x = static_cast<int>(kWidestMargin * width), margin_y = static_cast<int>(kWidestMargin * height);
+  const auto empty = [](int count, const auto& used) {
+    int lines = 0;
+    while (lines <= count && !used(lines)) ++lines;
+    return lines <= count ? lines : 0;
+  };
+  rays.first_column = empty(margin_x, [&](int k) { return anyInColumn(cloud, k); });
+  rays.last_column = width - 1 - empty(margin_x, [&](int k) { return anyInColumn(cloud, width - 1 - k); });
+  rays.first_row = empty(margin_y, [&](int k) { return anyInRow(cloud, k); });
+  rays.last_row = height - 1 - empty(margin_y, [&](int k) { return anyInRow(cloud, height - 1 - k); });
+}
+
+}  // namespace
+
+ImageRays findRays(const Cloud& cloud) {
+  ImageRays rays;
+  if (!cloud.organized()) return rays;
+  // A prime step visits all columns.
+  constexpr std::size_t kStep = 499;
+  constexpr double kFewest = 10.0, kLargestMisfit = 1.0 / 3.0;
+  Line across, down;
+  for (std::size_t i = 0; i < cloud.size(); i += kStep) {
+    if (!cloud.valid(i) || !(cloud.z[i] > 0.0f)) continue;
+    across.add(static_cast<double>(i % cloud.width), static_cast<double>(cloud.x[i]) / cloud.z[i]);
+    down.add(static_cast<double>(i / cloud.width), static_cast<double>(cloud.y[i]) / cloud.z[i]);
+  }
+  if (across.count < kFewest || !(across.misfit() < kLargestMisfit) || !(down.misfit() < kLargestMisfit)) return rays;
+  rays.known = true;
+  rays.x_offset = across.offset(), rays.x_scale = across.scale();
+  rays.y_offset = down.offset(), rays.y_scale = down.scale();
+  findBorder(cloud, rays);
+  return rays;
+}
+
+}  // namespace primitect

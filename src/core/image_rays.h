@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The pinhole camera behind an organized cloud, found from its points.
+#pragma once
+
+#include "primitect/cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Rays of the pixels, also of those without a point, and where the sensor measures at all.
+struct ImageRays {
+  bool known = false;  ///< false: not organized, or not seen by a pinhole camera at the origin
+  double x_offset = 0.0, x_scale = 0.0, y_offset = 0.0, y_scale = 0.0;
+  int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  ///< less the sensor's margin
+
+  /// Through a pixel, with z = 1: times a depth it is the point (m).
+  Vec3 through(int column, int row) const { return {x_offset + x_scale * column, y_offset + y_scale * row, 1.0}; }
+  bool measures(int column, int row) const {
+    return first_column <= column && column <= last_column && first_row <= row && row <= last_row;
+  }
+};
+
+/// From some hundred points by least squares; known when these fit to a third of a pixel.
+ImageRays findRays(const Cloud& cloud);
+
+}  // namespace primitect

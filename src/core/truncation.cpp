@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks over the image from the border of a shape's points; see truncation.h.
+#include "core/truncation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/extent.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kOnSurface = 3.0;  // standard deviations
+
+struct Pixel {
+  int column, row;
+};
+
+/// Depth at which the ray meets the shape, by Newton's method from a depth nearby: of two crossings it finds that on
+/// whose side the walk is, so that shapes seen from inside need no care. Nothing at the limb.
+std::optional<double> depthOn(const Shape& shape, const Vec3& ray, double depth) {
+  constexpr double kGrazing = 0.05, kExact = 1e-4;  // sine of 3 deg; m
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    const Vec3 p = depth * ray;
+    const double away = distance(shape, p);
+    if (std::abs(away) < kExact) return depth;
+    const double slope = normalAt(shape, p).dot(ray);
+    if (!(std::abs(slope) > kGrazing * ray.norm())) return std::nullopt;
+    depth -= away / slope;
+    if (!(depth > 0.0)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// One walk along a row or column; what it passes is judged against the surface as it should be there.
+class Walk {
+ public:
+  Walk(const Cloud& cloud, const ImageRays& rays, const DepthRange& range,
+       const std::function<double(const Vec3&)>& sigma, const Shape& shape)
+      : cloud_(cloud), rays_(rays), range_(range), sigma_(sigma), shape_(shape) {}
+
+  /// The bit of what ends the surface in this direction; 0 when it ends on its own, or nobody knows why.
+  std::uint8_t from(Pixel pixel, const Pixel& step) {
+    constexpr int kLongest = 200;  // px
+    // Holes, and shadows beside an occluding edge, are this wide at most: f b (1 / z - 1 / z') = 20 px for a step from
+    // 0.7 to 1.0 m.
+    constexpr int kWidestGap = 24;
+    depth_ = last_depth_ = cloud_.z[index(pixel)];
+    int gap = 0;
+    for (int length = 0; length < kLongest && gap <= kWidestGap; ++length) {
+      pixel = {pixel.column + step.column, pixel.row + step.row};
+      ++gap;
+      if (!rays_.measures(pixel.column, pixel.row)) return kTruncatedByImage;
+      const std::optional<double> expected = depthOn(shape_, rays_.through(pixel.column, pixel.row), depth_);
+      if (!expected) return 0;
+      depth_ = *expected;
+      const std::size_t i = index(pixel);
+      if (!cloud_.valid(i)) {
+        if (outOfRange(pixel, gap)) return kTruncatedByDepth;
+      } else if (onSurface(i)) {
+        gap = 0;
+        last_depth_ = depth_;
+      } else if (hides(i, gap)) {
+        return kTruncatedByOcclusion;
+      } else if (++strangers_ > 2) {
+        return 0;
+      }
+      if (gap == 0) strangers_ = 0;
+    }
+    return 0;
+  }
+
+ private:
+  std::size_t index(const Pixel& pixel) const {
+    return static_cast<std::size_t>(pixel.row) * cloud_.width + static_cast<std::size_t>(pixel.column);
+  }
+
+  Vec3 point(std::size_t i) const { return {cloud_.x[i], cloud_.y[i], cloud_.z[i]}; }
+
+  /// Along the ray: on a slanted surface that is what the noise of the depth is, and not its distance.
+  bool onSurface(std::size_t i) const { return std::abs(cloud_.z[i] - depth_) < kOnSurface * sigma_(point(i)); }
+
+  /// Noise lets the surface end a little before the bound, and farther into a gap it may have ended for other reasons.
+  bool outOfRange(const Pixel& pixel, int gap) const {
+    constexpr int kAtOnce = 3;  // px
+    const double margin = kOnSurface * sigma_(depth_ * rays_.through(pixel.column, pixel.row));
+    return gap <= kAtOnce &&
+           ((range_.max > 0.0f && depth_ > range_.max - margin) || (range_.min > 0.0f && depth_ < range_.min + margin));
+  }
+
+  /// Nearer than the surface, and than another could be that meets it where the gap began.
+  bool hides(std::size_t i, int gap) const {
+    constexpr double kNoise = 8.0;     // standard deviations, of which the surface may have begun to leave by 3 unseen
+    constexpr double kSteepest = 3.0;  // depth by distance across: at 72 deg to the view
+    const double across = gap * std::max(std::abs(rays_.x_scale), std::abs(rays_.y_scale)) * depth_;
+    const double nearest = std::min(depth_, last_depth_ - kSteepest * across);
+    return cloud_.z[i] < nearest - kNoise * sigma_(point(i));
+  }
+
+  const Cloud& cloud_;
+  const ImageRays& rays_;
+  const DepthRange& range_;
+  const std::function<double(const Vec3&)>& sigma_;
+  const Shape& shape_;
+  double depth_ = 0.0;       ///< of the surface here
+  double last_depth_ = 0.0;  ///< where a point was last seen on it
+  int strangers_ = 0;        ///< pixels off the surface since the last one on it
+};
+
+/// Bands of rows or columns with their outermost pixels: where walks start.
+class Bands {
+ public:
+  static constexpr int kCount = 16;
+
+  Bands(int low, int high) : low_(low), width_(std::max(high - low + 1, 1)) {}
+
+  void add(int place, int value, const Pixel& pixel) {
+    Band& band = bands_[static_cast<std::size_t>((place - low_) * kCount / width_)];
+    if (!band.used || value < band.low.first) band.low = {value, pixel};
+    if (!band.used || value > band.high.first) band.high = {value, pixel};
+    band.used = true;
+  }
+
+  template <class Use>
+  void each(const Use& use) const {
+    for (const Band& band : bands_) {
+      if (band.used) use(band.low.second, band.high.second);
+    }
+  }
+
+ private:
+  struct Band {
+    std::pair<int, Pixel> low, high;
+    bool used = false;
+  };
+  int low_, width_;
+  std::array<Band, kCount> bands_;
+};
+
+/// Start and direction of all walks.
+std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) {
+  Pixel low = pixels.front(), high = pixels.front();
+  for (const Pixel& p : pixels) {
+    low = {std::min(low.column, p.column), std::min(low.row, p.row)};
+    high = {std::max(high.column, p.column), std::max(high.row, p.row)};
+  }
+  Bands columns(low.column, high.column), rows(low.row, high.row);
+  for (const Pixel& p : pixels) {
+    columns.add(p.column, p.row, p);
+    rows.add(p.row, p.column, p);
+  }
+  std::vector<std::pair<Pixel, Pixel>> starts;
+  const auto bothWays = [&starts](const Pixel& step) {
+    return [&starts, step](const Pixel& first, const Pixel& last) {
+      starts.push_back({first, {-step.column, -step.row}});
+      starts.push_back({last, step});
+    };
+  };
+  columns.each(bothWays({0, 1}));
+  rows.each(bothWays({1, 0}));
+  return starts;
+}
+
+/// The points reach a bound when the gap to it is no larger than those between them.
+std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const std::vector<std::uint32_t>& points) {
+  const auto byDepth = [&cloud](std::uint32_t a, std::uint32_t b) { return cloud.z[a] < cloud.z[b]; };
+  const auto ends = std::minmax_element(points.begin(), points.end(), byDepth);
+  const float nearest = cloud.z[*ends.first], farthest = cloud.z[*ends.second];
+  constexpr float kSpacings = 3.0f, kShare = 0.01f;  // mean spacings; of the depth: noise, and a camera's rows
+  const float margin = kSpacings * (farthest - nearest) / static_cast<float>(points.size()) + kShare * farthest;
+  const bool reached =
+      (range.max > 0.0f && farthest > range.max - margin) || (range.min > 0.0f && nearest < range.min + margin);
+  return reached ? kTruncatedByDepth : 0;
+}
+
+}  // namespace
+
+TruncationFinder::TruncationFinder(const Cloud& cloud, const DepthRange& range,
+                                   std::function<double(const Vec3&)> sigma)
+    : cloud_(cloud), rays_(findRays(cloud)), range_(range), sigma_(std::move(sigma)) {}
+
+std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
+                                    const std::vector<std::uint32_t>& inlier_points) const {
+  if (inlier_points.empty()) return kTruncationUnknown;
+  if (!rays_.known) return kTruncationUnknown | depthBit(cloud_, range_, inlier_points);
+  // More would only find borders that are a pixel farther out.
+  constexpr std::size_t kMostStarts = 600;
+  std::vector<Pixel> pixels;
+  for (std::size_t k = 0; k < inlier_points.size(); k += inlier_points.size() / kMostStarts + 1) {
+    const std::uint32_t i = inlier_points[k];
+    const Vec3 p(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
+    // Points elsewhere on the surface are no part of the extent.
+    if (!contains(shape, extent, p, kOnSurface * sigma_(p))) continue;
+    pixels.push_back({static_cast<int>(i % cloud_.width), static_cast<int>(i / cloud_.width)});
+  }
+  if (pixels.empty()) return kTruncationUnknown;
+  const auto starts = startsOf(pixels);
+  std::array<std::size_t, 8> counts = {};
+  for (const auto& [start, step] : starts) ++counts[Walk(cloud_, rays_, range_, sigma_, shape).from(start, step)];
+  std::uint8_t bits = 0;
+  for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
+    if (10 * counts[bit] >= starts.size()) bits |= bit;
+  }
+  return bits;
+}
+
+}  // namespace primitect

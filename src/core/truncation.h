@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Why the seen part of a shape ends where it ends: on its own, or because the sensor could see no more of it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/image_rays.h"
+#include "primitect/cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Of one frame. The cloud must outlive it.
+class TruncationFinder {
+ public:
+  /// range: outside of it, points of this cloud were made missing. sigma(p): m, noise of the distance to a surface.
+  TruncationFinder(const Cloud& cloud, const DepthRange& range, std::function<double(const Vec3&)> sigma);
+
+  /// Bits of Truncation for a shape with these points of the cloud. From the outermost of them the image is followed
+  /// along the surface to the first pixel that is not on it, in rows and columns; a tenth of these walks decides:
+  ///   image      it is outside of what the sensor measures
+  ///   depth      the surface there is out of range
+  ///   occlusion  something clearly nearer hides the surface. What touches it (the table below a can) does not count,
+  ///              nor does what lies beyond the limb, where a ray no longer meets the surface. A hollow may hide
+  ///              itself: the near wall of a cup hides the lower part of its inside.
+  /// A cloud that is not a pinhole image tells the depth only: the bit is set when the farthest or nearest points reach
+  /// the bound, along with kTruncationUnknown.
+  std::uint8_t find(const Shape& shape, const Extent& extent, const std::vector<std::uint32_t>& inlier_points) const;
+
+ private:
+  const Cloud& cloud_;
+  ImageRays rays_;
+  DepthRange range_;
+  std::function<double(const Vec3&)> sigma_;
+};
+
+}  // namespace primitect

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Patches whose points err alone or in groups of neighbours.
+#include "core/shared_noise.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "test/support/fit_errors.h"
+
+namespace primitect {
+namespace {
+
+using test::Patch;
+
+constexpr double kNoise = 0.002;
+double noise(const Vec3&) { return kNoise; }
+
+struct Fit {
+  Shape shape;
+  std::vector<Vec3> points;
+};
+
+/// Points of one cube of this edge (m) share their deviation along the normal; 0: none do.
+Fit fitWithSharedNoise(const Patch& patch, double edge, Random& random) {
+  std::map<std::tuple<int, int, int>, double> shared;
+  std::vector<test::SurfacePoint> points = patch.points;
+  for (test::SurfacePoint& p : points) {
+    double deviation = random.gaussian();
+    if (edge > 0.0) {
+      const Eigen::Vector3i cube = (p.point / edge).array().floor().cast<int>();
+      deviation = shared.emplace(std::make_tuple(cube.x(), cube.y(), cube.z()), deviation).first->second;
+    }
+    p.point += kNoise * deviation * p.normal;
+  }
+  const Samples samples = test::samplesOf(points);
+  std::vector<std::uint32_t> all(samples.size());
+  std::iota(all.begin(), all.end(), 0u);
+  Fit fit{*refine(patch.truth, {samples, all}, [](const Vec3&) { return kFitDeviations * kNoise; }), {}};
+  for (const test::SurfacePoint& p : points) fit.points.push_back(p.point);
+  return fit;
+}
+
+constexpr Kind kKinds[] = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
+
+TEST(SharedNoise, OfIndependentPointsIsOneButForChance) {
+  for (const Kind kind : kKinds) {
+    for (const int count : {60, 300, 8192}) {
+      int found = 0;
+      for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        const Fit fit = fitWithSharedNoise(test::randomPatch(kind, count, random), 0.0, random);
+        found += measureSharedNoise(fit.shape, fit.points, noise) > 1.0 ? 1 : 0;
+      }
+      // Two standard deviations of a skewed distribution: one in twenty, of 40 rarely more than 6.
+      EXPECT_LE(found, 6) << kindName(kind) << " " << count;
+    }
+  }
+}
+
+TEST(SharedNoise, MakesTheCovarianceThatOfTheErrors) {
+  constexpr int kSeeds = 40;
+  for (const Kind kind : kKinds) {
+    double alone = 0.0, shared = 0.0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      Random random(seed);
+      const Patch patch = test::randomPatch(kind, 4000, random);
+      const Fit fit = fitWithSharedNoise(patch, 0.01, random);
+      const Hessian covariance = measureCovariance(fit.shape, fit.points, noise);
+      const double error = test::normalisedError(fit.shape, patch.truth, covariance);
+      alone += error / kSeeds;
+      shared += error / measureSharedNoise(fit.shape, fit.points, noise) / kSeeds;
+    }
+    // How much neighbours share differs over the surface, one number for all is a makeshift: a factor of two.
+    EXPECT_GT(alone, 4.0) << kindName(kind);
+    EXPECT_GT(shared, 0.5) << kindName(kind);
+    EXPECT_LT(shared, 2.0) << kindName(kind);
+  }
+}
+
+TEST(SharedNoise, IsOneWhereNothingCanBeSaid) {
+  const Sphere sphere = {Vec3(0, 0, 1), 0.1};
+  for (const std::size_t count : {0, 1, 100}) {
+    EXPECT_EQ(measureSharedNoise(sphere, std::vector<Vec3>(count, Vec3(0, 0, 0.9)), noise), 1.0);
+    EXPECT_EQ(measureSharedNoise(sphere, std::vector<Vec3>(count, Vec3(0, 0, 0.901)), noise), 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace primitect
