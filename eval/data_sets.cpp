@@ -12,6 +12,7 @@
 #include "eval/tabletop_frames.h"
 #include "synthetic/mechanical_part.h"
 #include "synthetic/paper_dataset.h"
+#include "synthetic/small_scene.h"
 
 namespace primitect::eval {
 namespace {
@@ -43,13 +44,26 @@ void turnInsideOut(LabelledCloud& result) {
   }
 }
 
-LabelledCloud paperScene(const Recipe& recipe, SceneKind kind) {
-  synthetic::PaperScene scene = makePaperScene(kind, recipe.seed, recipe.sigma, recipe.outliers);
+LabelledCloud labelled(synthetic::PaperScene scene, const Recipe& recipe) {
   LabelledCloud result;
   for (const Shape& shape : scene.truth) result.truth.push_back({shape});
   result.cloud = std::move(scene.cloud);
   result.surface = std::move(scene.surface);
   if (recipe.sigma > 0.0) result.unit = recipe.sigma;
+  return result;
+}
+
+LabelledCloud paperScene(const Recipe& recipe, SceneKind kind) {
+  return labelled(makePaperScene(kind, recipe.seed, recipe.sigma, recipe.outliers), recipe);
+}
+
+/// What hides much of an object leaves too little of it.
+LabelledCloud smallScene(const Recipe& recipe) {
+  const synthetic::PaperScene scene = synthetic::makeSmallScene(recipe.seed, recipe.sigma, recipe.outliers);
+  LabelledCloud result = labelled(scene, recipe);
+  for (std::size_t t = 0; t < result.truth.size(); ++t) {
+    result.truth[t].must = scene.owned[t] >= synthetic::kSmallestShare * static_cast<double>(scene.surface.size());
+  }
   return result;
 }
 
@@ -79,6 +93,7 @@ LabelledCloud mechanicalPart(const Recipe& recipe) {
 }
 
 LabelledCloud withoutVariants(const Recipe& recipe) {
+  if (recipe.set == "small") return smallScene(recipe);
   if (recipe.set == "tabletop") return tabletopFrame(recipe);
   if (recipe.set == "parts") return mechanicalPart(recipe);
   for (std::size_t k = 0; k < kSceneKindCount; ++k) {
@@ -127,7 +142,7 @@ void checkRecipe(const Recipe& recipe) {
   };
   check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
   check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
-  const bool has_outliers = startsWith(recipe.set, kPaper) || startsWith(recipe.set, kConcave);
+  const bool has_outliers = startsWith(recipe.set, kPaper) || startsWith(recipe.set, kConcave) || recipe.set == "small";
   check(has_outliers || recipe.outliers == 0.0, ("outliers of " + recipe.set).c_str(), recipe.outliers, "0 to 0");
 }
 
@@ -142,6 +157,7 @@ std::vector<std::string> dataSetNames() {
       if (family == kPaper || kind != SceneKind::planes) names.push_back(family + synthetic::sceneKindName(kind));
     }
   }
+  names.push_back("small");
   names.push_back("tabletop");
   names.push_back("parts");
   return names;

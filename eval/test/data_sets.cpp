@@ -129,6 +129,20 @@ TEST(Parts, AreMeasuredWithNoiseAndScoredWithout) {
   EXPECT_LT(largest, 0.00501);
 }
 
+TEST(SmallScenes, AskForWhatOwnsThreeInAThousand) {
+  int optional = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const LabelledCloud input = makeLabelledCloud(recipeOf("small", seed));
+    std::vector<int> owned(input.truth.size(), 0);
+    for (const int t : input.surface) ++owned.at(t);
+    for (std::size_t t = 0; t < owned.size(); ++t) {
+      EXPECT_EQ(input.truth[t].must, owned[t] >= 0.003 * 160801) << "seed " << seed << " shape " << t;
+      optional += input.truth[t].must ? 0 : 1;
+    }
+  }
+  EXPECT_GT(optional, 0);
+}
+
 TEST(TabletopFrames, KnowWhatIsNoneOfTheKinds) {
   std::size_t clutter = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
