@@ -124,9 +124,11 @@ std::vector<double> curveEpsilons() {
   return epsilons;
 }
 
-/// Coverage is about the points as they were measured; when the detector got a part of them, those that are scored.
+/// Coverage is about the points as they were measured; when the detector got a part of them, or in another order, those
+/// that are scored.
 const Cloud& measuredPoints(const LabelledCloud& input) {
-  return input.cloud.size() == input.scored.size() ? input.cloud : input.scored;
+  const bool point_by_point = input.cloud.size() == input.scored.size() && !input.recipe.shuffle;
+  return point_by_point ? input.cloud : input.scored;
 }
 
 }  // namespace

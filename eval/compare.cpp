@@ -95,10 +95,17 @@ void runCloud(const Options& options, const eval::LabelledCloud& input, Contest&
   if (!options.dump_folder.empty()) eval::writeDump(input, results, options.dump_folder);
 }
 
+eval::Recipe recipeOf(const std::string& set, std::uint64_t seed, const Options& options) {
+  eval::Recipe recipe = options.recipe;
+  recipe.set = set;
+  recipe.seed = seed;
+  return recipe;
+}
+
 void printTable(const std::string& set, const Options& options, Contest& contest) {
-  std::printf("%s, seeds %s, sigma %g, noise x %g, outliers %g, keep %g; %d true shapes\n%s\n", set.c_str(),
-              options.seeds.c_str(), options.recipe.sigma, options.recipe.noise_scale, options.recipe.outliers,
-              options.recipe.keep, contest.totals.begin()->second.counts.truths, eval::tableHeading().c_str());
+  std::printf("%s, seeds %s, %s; %d true shapes\n%s\n", set.c_str(), options.seeds.c_str(),
+              eval::describe(recipeOf(set, 0, options)).c_str(), contest.totals.begin()->second.counts.truths,
+              eval::tableHeading().c_str());
   for (const eval::Method& method : contest.methods) {
     std::printf("%s\n", eval::tableLine(method.name, contest.totals[method.name]).c_str());
   }
@@ -117,10 +124,7 @@ void compareOn(const std::string& set, const Options& options, LineWriter& lines
   }
   const SeedRange seeds = parseSeeds(options.seeds);
   for (std::uint64_t k = 0; k < seeds.count; ++k) {
-    eval::Recipe recipe = options.recipe;
-    recipe.set = set;
-    recipe.seed = seeds.first + k;
-    eval::LabelledCloud input = eval::makeLabelledCloud(recipe);
+    eval::LabelledCloud input = eval::makeLabelledCloud(recipeOf(set, seeds.first + k, options));
     const double distance_of_set = input.rules.max_distance;
     input.rules = options.rules;
     if (!options.own_distance) input.rules.max_distance = distance_of_set;
@@ -135,10 +139,13 @@ void declareOptions(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(eval::dataSetNames()));
   app.add_option("--seeds", options.seeds, "FIRST:COUNT or one seed")->capture_default_str();
   app.add_option("--sigma", options.recipe.sigma,
-                 "noise in m: of the paper's sets the standard deviation, of the parts the half width");
+                 "noise in m: of the paper's and the small set the standard deviation, of the parts the half width");
   app.add_option("--noise-scale", options.recipe.noise_scale, "times the noise of the simulated depth sensor");
   app.add_option("--outliers", options.recipe.outliers, "share of points thrown anywhere into the bounding box");
   app.add_option("--keep", options.recipe.keep, "share of the points that is kept");
+  app.add_option("--uneven", options.recipe.uneven,
+                 "from one side of the cloud to the other this many times fewer points");
+  app.add_flag("--shuffle", options.recipe.shuffle, "points in random order, unorganized");
   app.add_option("--method", options.methods,
                  "truth, default, paper, its ablations b to e, a peer (see --about) or "
                  "NAME=preset:PRESET,parameter=value,...; repeatable")
@@ -168,6 +175,8 @@ int main(int argc, char** argv) {
       std::printf("%s\n", eval::aboutJson().c_str());
       return 0;
     }
+    // All of them before the first one is measured.
+    for (const std::string& set : options.sets) checkRecipe(recipeOf(set, 0, options));
     LineWriter lines(options.json);
     for (const std::string& set : options.sets) compareOn(set, options, lines);
   } catch (const std::exception& error) {

@@ -3,13 +3,11 @@
 // The data sets by name and the variants that they share; see data_sets.h.
 #include "eval/data_sets.h"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
-#include "core/random.h"
 #include "eval/cloud_vectors.h"
 #include "eval/tabletop_frames.h"
+#include "eval/variants.h"
 #include "synthetic/mechanical_part.h"
 #include "synthetic/paper_dataset.h"
 #include "synthetic/small_scene.h"
@@ -21,8 +19,6 @@ using synthetic::kSceneKindCount;
 using synthetic::SceneKind;
 
 const std::string kPaper = "paper-", kConcave = "concave-";
-
-bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
 Vec3 mirrored(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
@@ -109,43 +105,6 @@ LabelledCloud withoutVariants(const Recipe& recipe) {
   throw std::invalid_argument("data set '" + recipe.set + "': must be one of" + known);
 }
 
-void keepOnly(const std::vector<std::size_t>& kept, std::vector<float>& values) {
-  if (values.empty()) return;
-  for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[kept[k]];
-  values.resize(kept.size());
-}
-
-/// Takes points out of an unorganized cloud; those of an organized cloud go missing. Normals stay those of all points:
-/// what is looked at is the sampling.
-void thinOut(Cloud& cloud, double keep, Random random) {
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (random.uniform() < keep) {
-      kept.push_back(i);
-      continue;
-    }
-    cloud.valid_count -= cloud.valid(i) ? 1 : 0;
-    cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
-  }
-  if (cloud.organized()) return;
-  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z, &cloud.nx, &cloud.ny, &cloud.nz}) {
-    keepOnly(kept, *values);
-  }
-  cloud.width = static_cast<std::uint32_t>(kept.size());
-}
-
-/// Throws for a value that the sets themselves do not look at.
-void checkRecipe(const Recipe& recipe) {
-  const auto check = [](bool fine, const char* name, double value, const char* range) {
-    if (!fine) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be in " + range);
-  };
-  check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
-  check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
-  const bool has_outliers = startsWith(recipe.set, kPaper) || startsWith(recipe.set, kConcave) || recipe.set == "small";
-  check(has_outliers || recipe.outliers == 0.0, ("outliers of " + recipe.set).c_str(), recipe.outliers, "0 to 0");
-}
-
 }  // namespace
 
 std::vector<std::string> dataSetNames() {
@@ -169,8 +128,8 @@ LabelledCloud makeLabelledCloud(const Recipe& recipe) {
   result.recipe = recipe;
   // Depth frames and parts bring their own.
   if (result.scored.size() == 0) result.scored = result.cloud;
-  // Other numbers than those that made the scene.
-  if (recipe.keep < 1.0) thinOut(result.cloud, recipe.keep, Random(recipe.seed ^ 0x7468696eU));
+  if (recipe.keep < 1.0 || recipe.uneven > 1.0) thinOut(result.cloud, recipe.keep, recipe.uneven, recipe.seed);
+  if (recipe.shuffle) shufflePoints(result.cloud, recipe.seed);
   return result;
 }
 

@@ -17,8 +17,8 @@ namespace primitect::eval {
 /// "parts": mechanical parts, 8096 points from all sides, with normals; scored without noise.
 std::vector<std::string> dataSetNames();
 
-/// The same recipe gives the same cloud. Outliers and sigma are for the unorganized sets, noise_scale for tabletop.
-/// Throws std::invalid_argument naming the value and its range.
+/// The same recipe gives the same cloud. Throws std::invalid_argument naming the value and its range, and for values
+/// that the set does not use (see recipe.h).
 LabelledCloud makeLabelledCloud(const Recipe& recipe);
 
 }  // namespace primitect::eval

@@ -89,7 +89,7 @@ Answer detectTimed(Detector& detector, const Cloud& cloud, int repeat) {
 Method ours(const std::string& name, const std::string& configuration) {
   const std::shared_ptr<Contestant> contestant = parseContestant(configuration);
   return {name, [contestant](const LabelledCloud& input, int repeat) {
-            Detector& detector = input.cloud.organized() ? contestant->for_frames : contestant->for_scenes;
+            Detector& detector = input.from_sensor ? contestant->for_frames : contestant->for_scenes;
             return detectTimed(detector, input.cloud, repeat);
           }};
 }

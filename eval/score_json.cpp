@@ -46,6 +46,8 @@ std::string scoreLine(const LabelledCloud& input, const std::string& method, con
                {"noise_scale", recipe.noise_scale},
                {"outliers", recipe.outliers},
                {"keep", recipe.keep},
+               {"uneven", recipe.uneven},
+               {"shuffle", recipe.shuffle},
                {"unit", input.unit},
                {"points", score.points},
                {"method", method},

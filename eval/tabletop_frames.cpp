@@ -89,6 +89,7 @@ LabelledCloud tabletopFrame(const Recipe& recipe) {
   params.noise.scale = recipe.noise_scale;
   const Frame frame = renderFrame(view.world, view.camera, view.world_from_camera, params, recipe.seed, 0);
   LabelledCloud result;
+  result.from_sensor = true;
   result.unit = kMillimeter;
   result.rules.max_distance = 20.0 * kMillimeter;
   cloudFromDepth(frame.depth, view.camera, params.truth.range, result.cloud);
