@@ -90,7 +90,7 @@ LabelledCloud mechanicalPart(const Recipe& recipe) {
 
 LabelledCloud withoutVariants(const Recipe& recipe) {
   if (recipe.set == "small") return smallScene(recipe);
-  if (recipe.set == "tabletop") return tabletopFrame(recipe);
+  if (recipe.set == "tabletop" || recipe.set == "clutter") return tabletopFrame(recipe);
   if (recipe.set == "parts") return mechanicalPart(recipe);
   for (std::size_t k = 0; k < kSceneKindCount; ++k) {
     const SceneKind kind = static_cast<SceneKind>(k);
@@ -118,6 +118,7 @@ std::vector<std::string> dataSetNames() {
   }
   names.push_back("small");
   names.push_back("tabletop");
+  names.push_back("clutter");
   names.push_back("parts");
   return names;
 }

@@ -14,6 +14,8 @@ namespace primitect::eval {
 /// "concave-...": the same scenes turned inside out, z -> -z, so that every object is a cavity seen from inside.
 /// "small": the paper's grid with objects that own 0.3 to 2 % of the points; hidden below that they need not be found.
 /// "tabletop": a cluttered table as a depth camera sees it, 640 x 480, without normals; scored without noise.
+/// "clutter": such frames without any sphere, cylinder or cone: boxes, ellipsoids, tori, lumps, folded cloth, cables,
+/// plants, hands. Whatever curved shape is found there is a false alarm.
 /// "parts": mechanical parts, 8096 points from all sides, with normals; scored without noise.
 std::vector<std::string> dataSetNames();
 

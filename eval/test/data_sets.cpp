@@ -224,6 +224,12 @@ TEST(TabletopFrames, KnowWhatIsNoneOfTheKinds) {
   EXPECT_GT(clutter, 3000u);
 }
 
+TEST(ClutterFrames, AskForPlanesOnly) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("clutter"));
+  for (const TrueShape& truth : input.truth) EXPECT_EQ(kindOf(truth.shape), Kind::plane);
+  EXPECT_GT(std::count(input.surface.begin(), input.surface.end(), kClutter), 5000);
+}
+
 TEST(Methods, AreThePresetsAndAblationsOfTheirNames) {
   const LabelledCloud input = makeLabelledCloud(recipeOf("paper-cones"));
   const auto dod = [&](const std::string& method) {

@@ -3,6 +3,7 @@
 // Takes solids apart into surfaces with exact shapes.
 #include "synthetic/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -111,6 +112,20 @@ Parts partsOf(const Torus& torus) {
 }
 
 Parts partsOf(const Lump& lump) { return shapelessParts(Vec3::Constant(lump.radius * (1.0 + lump.bump))); }
+
+Parts partsOf(const Cloth& cloth) { return shapelessParts({cloth.half_x, cloth.half_y, cloth.highest()}); }
+
+Parts partsOf(const Leaf& leaf) { return shapelessParts({leaf.half_x, leaf.half_y, leaf.highest()}); }
+
+Parts partsOf(const Limbs& limbs) {
+  Parts parts = shapelessParts(Vec3::Zero());
+  for (const Limbs::Limb& limb : limbs.limbs) {
+    const Vec3 widest = Vec3::Constant(std::max(limb.radius_from, limb.radius_to) + limbs.blend);
+    parts.corner_min = parts.corner_min.cwiseMin(limb.from.cwiseMin(limb.to) - widest);
+    parts.corner_max = parts.corner_max.cwiseMax(limb.from.cwiseMax(limb.to) + widest);
+  }
+  return parts;
+}
 
 /// Written so that NaN and infinity fail.
 bool isLength(double value) { return value > 0.0 && std::isfinite(value); }
