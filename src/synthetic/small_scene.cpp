@@ -10,11 +10,10 @@
 #include "core/random.h"
 #include "synthetic/paper_objects.h"
 #include "synthetic/paper_rendering.h"
+#include "synthetic/poses.h"
 
 namespace primitect::synthetic {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 /// An object of which everything but its size (m) is known.
 using Family = std::function<PaperObject(double size)>;

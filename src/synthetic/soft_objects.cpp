@@ -8,13 +8,10 @@
 #include <cmath>
 #include <utility>
 
+#include "synthetic/poses.h"
+
 namespace primitect::synthetic {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
-
-Eigen::Isometry3d raised(double z) { return Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, z)); }
 
 /// Waves of 5 to 20 cm, each in its own direction: no fold is straight for long.
 Pile drawCloth(Random& random) {
@@ -25,7 +22,7 @@ Pile drawCloth(Random& random) {
     cloth.waves[k] = {turn * std::cos(heading), turn * std::sin(heading), length * random.uniform(0.04, 0.08),
                       random.uniform(0.0, 2.0 * kPi)};
   }
-  return {{"cloth", cloth, raised(cloth.highest()), 0.0, std::hypot(cloth.half_x, cloth.half_y)}};
+  return {{"cloth", cloth, at(0.0, cloth.highest()), 0.0, std::hypot(cloth.half_x, cloth.half_y)}};
 }
 
 /// Lies on the table, 15 to 30 cm long, and bends to and fro.
@@ -44,14 +41,14 @@ Pile drawCable(Random& random) {
   std::vector<Limbs::Limb> pieces;
   for (int k = 0; k < kPieces; ++k) pieces.push_back({line[k] - middle, line[k + 1] - middle, radius, radius});
   const Limbs cable = joined(std::move(pieces), 0.0);
-  return {{"cable", cable, raised(radius), 0.0, cable.reach}};
+  return {{"cable", cable, at(0.0, radius), 0.0, cable.reach}};
 }
 
 /// Leaves around and above a box, the higher ones nearer to the middle.
 Pile drawPlant(Random& random) {
   constexpr double kReach = 0.10;
   const double half = random.uniform(0.025, 0.035), top = 2.0 * half;
-  Pile plant = {{"box", Box{half, half, half}, raised(half), 0.0, kReach + 0.03}};
+  Pile plant = {{"box", Box{half, half, half}, at(0.0, half), 0.0, kReach + 0.03}};
   const int leaves = 24 + static_cast<int>(random.below(16));
   for (int k = 0; k < leaves; ++k) {
     const double share = (k + random.uniform()) / leaves, around = random.uniform(0.0, 2.0 * kPi);
@@ -91,7 +88,7 @@ Pile drawHand(Random& random) {
   const Vec3 thumb_root(-0.030, -0.026, 0.020);
   addFinger(scale * thumb_root, -random.uniform(35.0, 60.0) * kDegree, 0.070 * scale, 0.012 * scale, limbs);
   const Limbs hand = joined(std::move(limbs), 0.010);
-  return {{"hand", hand, raised(0.002), 0.03, 0.11 * scale}};
+  return {{"hand", hand, at(0.0, 0.002), 0.03, 0.11 * scale}};
 }
 
 }  // namespace
