@@ -25,6 +25,7 @@ struct Options {
   std::string seeds = "1:12";
   eval::Recipe recipe;
   std::vector<std::string> methods = {"truth", "default", "paper"};
+  std::vector<int> algorithm_seeds = {0};  ///< 0: as the method says
   eval::Rules rules;
   bool own_distance = false;  ///< rules.max_distance instead of the set's
   int repeat = 1;
@@ -76,21 +77,42 @@ class LineWriter {
   std::ofstream file_;
 };
 
+/// One of ours runs once for each algorithm seed, under one name and with one sum.
 struct Contest {
+  std::vector<std::string> names;
   std::vector<eval::Method> methods;
   std::map<std::string, eval::Totals> totals;
+  int true_shapes = 0;
 };
+
+Contest contestOf(const Options& options) {
+  Contest contest;
+  for (const std::string& text : options.methods) {
+    const std::string name = eval::makeMethod(text).name;
+    if (!contest.totals.emplace(name, eval::Totals()).second) {
+      throw std::invalid_argument("--method " + text + ": there are two methods called " + name);
+    }
+    contest.names.push_back(name);
+    for (const int seed : options.algorithm_seeds) {
+      contest.methods.push_back(eval::makeMethod(text, seed));
+      if (!contest.methods.back().ours) break;
+    }
+  }
+  return contest;
+}
 
 /// The methods take turns in who comes first, so that none always has the cache of another.
 void runCloud(const Options& options, const eval::LabelledCloud& input, Contest& contest, LineWriter& lines) {
   std::vector<eval::NamedResult> results;
+  for (const eval::TrueShape& truth : input.truth) contest.true_shapes += truth.must ? 1 : 0;
   for (std::size_t k = 0; k < contest.methods.size(); ++k) {
     const eval::Method& method = contest.methods[(k + input.recipe.seed) % contest.methods.size()];
     const eval::Answer answer = method.run(input, options.repeat);
     const eval::CaseScore score = eval::scoreCase(input, answer.shapes);
     eval::addCase(contest.totals[method.name], score, answer);
-    lines.write(eval::scoreLine(input, method.name, answer, score));
-    if (!options.dump_folder.empty()) results.push_back({method.name, answer.shapes});
+    lines.write(eval::scoreLine(input, method, answer, score));
+    const bool is_first_seed = method.algorithm_seed == 0 || method.algorithm_seed == options.algorithm_seeds.front();
+    if (!options.dump_folder.empty() && is_first_seed) results.push_back({method.name, answer.shapes});
   }
   if (!options.dump_folder.empty()) eval::writeDump(input, results, options.dump_folder);
 }
@@ -104,24 +126,16 @@ eval::Recipe recipeOf(const std::string& set, std::uint64_t seed, const Options&
 
 void printTable(const std::string& set, const Options& options, Contest& contest) {
   std::printf("%s, seeds %s, %s; %d true shapes\n%s\n", set.c_str(), options.seeds.c_str(),
-              eval::describe(recipeOf(set, 0, options)).c_str(), contest.totals.begin()->second.counts.truths,
-              eval::tableHeading().c_str());
-  for (const eval::Method& method : contest.methods) {
-    std::printf("%s\n", eval::tableLine(method.name, contest.totals[method.name]).c_str());
+              eval::describe(recipeOf(set, 0, options)).c_str(), contest.true_shapes, eval::tableHeading().c_str());
+  for (const std::string& name : contest.names) {
+    std::printf("%s\n", eval::tableLine(name, contest.totals[name]).c_str());
   }
   std::printf("\n");
   std::fflush(stdout);
 }
 
 void compareOn(const std::string& set, const Options& options, LineWriter& lines) {
-  Contest contest;
-  for (const std::string& text : options.methods) {
-    contest.methods.push_back(eval::makeMethod(text));
-    const std::string& name = contest.methods.back().name;
-    if (!contest.totals.emplace(name, eval::Totals()).second) {
-      throw std::invalid_argument("--method " + text + ": there are two methods called " + name);
-    }
-  }
+  Contest contest = contestOf(options);
   const SeedRange seeds = parseSeeds(options.seeds);
   for (std::uint64_t k = 0; k < seeds.count; ++k) {
     eval::LabelledCloud input = eval::makeLabelledCloud(recipeOf(set, seeds.first + k, options));
@@ -150,6 +164,10 @@ void declareOptions(CLI::App& app, Options& options) {
                  "truth, default, paper, its ablations b to e, a peer (see --about) or "
                  "NAME=preset:PRESET,parameter=value,...; repeatable")
       ->allow_extra_args(false);
+  app.add_option("--algorithm-seeds", options.algorithm_seeds,
+                 "seeds of our random draw, comma separated: each of ours runs with all of them")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 2147483647));
   app.add_option("--repeat", options.repeat, "run this often on each cloud, the shortest time counts")
       ->check(CLI::Range(1, 1000));
   app.add_option("--json", options.json, "append a line of JSON for each cloud and method; - for standard output");

@@ -319,6 +319,17 @@ TEST(Methods, RefuseWhatTheyDoNotKnow) {
   EXPECT_THROW(makeMethod("x=nonsense"), std::invalid_argument);
 }
 
+TEST(Methods, TakeAnAlgorithmSeed) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("paper-spheres"));
+  const auto firstDistance = [&](const Method& method) {
+    return distance(method.run(input, 1).shapes.at(0), Vec3::Zero());
+  };
+  EXPECT_EQ(firstDistance(makeMethod("default", 7)), firstDistance(makeMethod("x=preset:default,seed=7")));
+  EXPECT_NE(firstDistance(makeMethod("default", 7)), firstDistance(makeMethod("default", 8)));
+  EXPECT_TRUE(makeMethod("default", 7).ours);
+  EXPECT_FALSE(makeMethod("truth", 7).ours);
+}
+
 TEST(Methods, TakeParametersFromTheirText) {
   const LabelledCloud input = makeLabelledCloud(recipeOf("paper-spheres"));
   const Answer answer =
