@@ -100,6 +100,17 @@ void scorePair(const LabelledCloud& input, const Scored& scored, int t, const Sh
   addErrors(truth, found, middleOf(input.scored, scored.true_label, t), score.errors[static_cast<std::size_t>(kind)]);
 }
 
+/// Which detections are right, and which of the others count; those of true shapes come with its index.
+void judge(const Scored& scored, const std::vector<Kind>& true_kind, const std::vector<Kind>& found_kind,
+           const Segmentation& segmentation, CaseScore& score) {
+  for (const int d : scored.detections) score.verdicts[d] = Verdict::wrong;
+  for (const auto& [t, d] : segmentation.correct) {
+    if (true_kind[t] != found_kind[d]) continue;
+    score.verdicts[scored.detections[d]] = Verdict::right;
+    score.true_shape[scored.detections[d]] = scored.truths[t];
+  }
+}
+
 void countInstances(const LabelledCloud& input, const Scored& scored, const std::vector<Shape>& true_shapes,
                     const std::vector<Shape>& found, CaseScore& score) {
   const std::vector<Kind> true_kind = kindsOf(true_shapes), found_kind = kindsOf(found);
@@ -115,7 +126,18 @@ void countInstances(const LabelledCloud& input, const Scored& scored, const std:
   for (const auto& [t, d] : sameKindMatches(overlaps, true_kind, found_kind)) {
     addTo(score, true_kind[t], &Counts::type_right, 1);
   }
+  judge(scored, true_kind, found_kind, segmentation, score);
   for (const auto& [t, d] : segmentation.correct) scorePair(input, scored, t, true_shapes[t], found[d], score);
+}
+
+int countFalseCurved(const LabelledCloud& input, const std::vector<Shape>& found,
+                     const std::vector<Verdict>& verdicts) {
+  int count = 0;
+  for (std::size_t d = 0; d < found.size(); ++d) {
+    const bool is_false = verdicts[d] == Verdict::wrong || input.recipe.set == "clutter";
+    count += is_false && kindOf(found[d]) != Kind::plane ? 1 : 0;
+  }
+  return count;
 }
 
 std::vector<double> curveEpsilons() {
@@ -124,9 +146,11 @@ std::vector<double> curveEpsilons() {
   return epsilons;
 }
 
-/// Coverage is about the points as they were measured; when the detector got a part of them, those that are scored.
+/// Coverage is about the points as they were measured; when the detector got a part of them, or in another order, those
+/// that are scored.
 const Cloud& measuredPoints(const LabelledCloud& input) {
-  return input.cloud.size() == input.scored.size() ? input.cloud : input.scored;
+  const bool point_by_point = input.cloud.size() == input.scored.size() && !input.recipe.shuffle;
+  return point_by_point ? input.cloud : input.scored;
 }
 
 }  // namespace
@@ -149,7 +173,10 @@ CaseScore scoreCase(const LabelledCloud& input, const std::vector<Shape>& found)
   std::vector<Shape> true_shapes, kept;
   for (const int t : scored.truths) true_shapes.push_back(input.truth[t].shape);
   for (const int d : scored.detections) kept.push_back(found[d]);
+  score.verdicts.assign(found.size(), Verdict::no_matter);
+  score.true_shape.assign(found.size(), kNoShape);
   countInstances(input, scored, true_shapes, kept, score);
+  score.false_curved = countFalseCurved(input, found, score.verdicts);
   const Distances distances = measureDistances(measuredPoints(input), found, labels);
   score.p_coverage = pointCoverage(distances, curveEpsilons());
   score.s_coverage = shapeCoverage(distances, labels, found.size(), curveEpsilons());

@@ -26,6 +26,10 @@ struct Counts {
   Counts& operator+=(const Counts& other);
 };
 
+/// What became of a detection: right: of the right kind and correct by SegComp; no_matter: it lies mostly on shapes
+/// that need not be found.
+enum class Verdict { right, wrong, no_matter };
+
 struct CaseScore {
   Counts all;
   std::array<Counts, kKindCount> of_kind;  ///< truths and pairs by the true kind, found and noise by the found kind
@@ -33,6 +37,10 @@ struct CaseScore {
   std::vector<double> p_coverage;  ///< kCurvePoints shares in [0, 1]
   std::vector<double> s_coverage;  ///< the same, or empty when no detection has points
   int points = 0;                  ///< measured points of the cloud
+  std::vector<Verdict> verdicts;   ///< one a detection
+  std::vector<int> true_shape;     ///< one a detection: index in the truth of a right one, otherwise kNoShape
+  /// Spheres, cylinders and cones that are wrong; on a "clutter" frame all of them.
+  int false_curved = 0;
 };
 
 /// Scores what a method found. Points of shapes that need not be found count for nobody; a detection that lies mostly

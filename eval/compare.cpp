@@ -4,8 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -13,6 +11,7 @@
 
 #include "eval/data_sets.h"
 #include "eval/dump.h"
+#include "eval/line_writer.h"
 #include "eval/score_json.h"
 #include "eval/score_table.h"
 
@@ -25,6 +24,7 @@ struct Options {
   std::string seeds = "1:12";
   eval::Recipe recipe;
   std::vector<std::string> methods = {"truth", "default", "paper"};
+  std::vector<int> algorithm_seeds = {0};  ///< 0: as the method says
   eval::Rules rules;
   bool own_distance = false;  ///< rules.max_distance instead of the set's
   int repeat = 1;
@@ -52,75 +52,68 @@ SeedRange parseSeeds(const std::string& text) {
   return range;
 }
 
-/// Where the JSON lines go; a line is flushed as soon as it is there, so that nothing is lost when the run is ended.
-class LineWriter {
- public:
-  explicit LineWriter(const std::string& path) : wanted_(!path.empty()), path_(path) {
-    if (!wanted_ || path == "-") return;
-    file_.open(path, std::ios::app);
-    if (!file_) throw std::runtime_error("--json " + path + ": cannot be opened");
-  }
-
-  void write(const std::string& line) {
-    if (!wanted_) return;
-    std::ostream& out = file_.is_open() ? file_ : std::cout;
-    out << line << std::endl;
-    if (!out) throw std::runtime_error("--json " + path_ + ": cannot be written");
-  }
-
-  bool toStandardOutput() const { return wanted_ && !file_.is_open(); }
-
- private:
-  bool wanted_;
-  std::string path_;
-  std::ofstream file_;
-};
-
+/// One of ours runs once for each algorithm seed, under one name and with one sum.
 struct Contest {
+  std::vector<std::string> names;
   std::vector<eval::Method> methods;
   std::map<std::string, eval::Totals> totals;
+  int true_shapes = 0;
 };
 
+Contest contestOf(const Options& options) {
+  Contest contest;
+  for (const std::string& text : options.methods) {
+    const std::string name = eval::makeMethod(text).name;
+    if (!contest.totals.emplace(name, eval::Totals()).second) {
+      throw std::invalid_argument("--method " + text + ": there are two methods called " + name);
+    }
+    contest.names.push_back(name);
+    for (const int seed : options.algorithm_seeds) {
+      contest.methods.push_back(eval::makeMethod(text, seed));
+      if (!contest.methods.back().ours) break;
+    }
+  }
+  return contest;
+}
+
 /// The methods take turns in who comes first, so that none always has the cache of another.
-void runCloud(const Options& options, const eval::LabelledCloud& input, Contest& contest, LineWriter& lines) {
+void runCloud(const Options& options, const eval::LabelledCloud& input, Contest& contest, eval::LineWriter& lines) {
   std::vector<eval::NamedResult> results;
+  for (const eval::TrueShape& truth : input.truth) contest.true_shapes += truth.must ? 1 : 0;
   for (std::size_t k = 0; k < contest.methods.size(); ++k) {
     const eval::Method& method = contest.methods[(k + input.recipe.seed) % contest.methods.size()];
     const eval::Answer answer = method.run(input, options.repeat);
     const eval::CaseScore score = eval::scoreCase(input, answer.shapes);
     eval::addCase(contest.totals[method.name], score, answer);
-    lines.write(eval::scoreLine(input, method.name, answer, score));
-    if (!options.dump_folder.empty()) results.push_back({method.name, answer.shapes});
+    lines.write(eval::scoreLine(input, method, answer, score));
+    const bool is_first_seed = method.algorithm_seed == 0 || method.algorithm_seed == options.algorithm_seeds.front();
+    if (!options.dump_folder.empty() && is_first_seed) results.push_back({method.name, answer.shapes});
   }
   if (!options.dump_folder.empty()) eval::writeDump(input, results, options.dump_folder);
 }
 
+eval::Recipe recipeOf(const std::string& set, std::uint64_t seed, const Options& options) {
+  eval::Recipe recipe = options.recipe;
+  recipe.set = set;
+  recipe.seed = seed;
+  return recipe;
+}
+
 void printTable(const std::string& set, const Options& options, Contest& contest) {
-  std::printf("%s, seeds %s, sigma %g, noise x %g, outliers %g, keep %g; %d true shapes\n%s\n", set.c_str(),
-              options.seeds.c_str(), options.recipe.sigma, options.recipe.noise_scale, options.recipe.outliers,
-              options.recipe.keep, contest.totals.begin()->second.counts.truths, eval::tableHeading().c_str());
-  for (const eval::Method& method : contest.methods) {
-    std::printf("%s\n", eval::tableLine(method.name, contest.totals[method.name]).c_str());
+  std::printf("%s, seeds %s, %s; %d true shapes\n%s\n", set.c_str(), options.seeds.c_str(),
+              eval::describe(recipeOf(set, 0, options)).c_str(), contest.true_shapes, eval::tableHeading().c_str());
+  for (const std::string& name : contest.names) {
+    std::printf("%s\n", eval::tableLine(name, contest.totals[name]).c_str());
   }
   std::printf("\n");
   std::fflush(stdout);
 }
 
-void compareOn(const std::string& set, const Options& options, LineWriter& lines) {
-  Contest contest;
-  for (const std::string& text : options.methods) {
-    contest.methods.push_back(eval::makeMethod(text));
-    const std::string& name = contest.methods.back().name;
-    if (!contest.totals.emplace(name, eval::Totals()).second) {
-      throw std::invalid_argument("--method " + text + ": there are two methods called " + name);
-    }
-  }
+void compareOn(const std::string& set, const Options& options, eval::LineWriter& lines) {
+  Contest contest = contestOf(options);
   const SeedRange seeds = parseSeeds(options.seeds);
   for (std::uint64_t k = 0; k < seeds.count; ++k) {
-    eval::Recipe recipe = options.recipe;
-    recipe.set = set;
-    recipe.seed = seeds.first + k;
-    eval::LabelledCloud input = eval::makeLabelledCloud(recipe);
+    eval::LabelledCloud input = eval::makeLabelledCloud(recipeOf(set, seeds.first + k, options));
     const double distance_of_set = input.rules.max_distance;
     input.rules = options.rules;
     if (!options.own_distance) input.rules.max_distance = distance_of_set;
@@ -135,14 +128,21 @@ void declareOptions(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(eval::dataSetNames()));
   app.add_option("--seeds", options.seeds, "FIRST:COUNT or one seed")->capture_default_str();
   app.add_option("--sigma", options.recipe.sigma,
-                 "noise in m: of the paper's sets the standard deviation, of the parts the half width");
+                 "noise in m: of the paper's and the small set the standard deviation, of the parts the half width");
   app.add_option("--noise-scale", options.recipe.noise_scale, "times the noise of the simulated depth sensor");
   app.add_option("--outliers", options.recipe.outliers, "share of points thrown anywhere into the bounding box");
   app.add_option("--keep", options.recipe.keep, "share of the points that is kept");
+  app.add_option("--uneven", options.recipe.uneven,
+                 "from one side of the cloud to the other this many times fewer points");
+  app.add_flag("--shuffle", options.recipe.shuffle, "points in random order, unorganized");
   app.add_option("--method", options.methods,
                  "truth, default, paper, its ablations b to e, a peer (see --about) or "
                  "NAME=preset:PRESET,parameter=value,...; repeatable")
       ->allow_extra_args(false);
+  app.add_option("--algorithm-seeds", options.algorithm_seeds,
+                 "seeds of our random draw, comma separated: each of ours runs with all of them")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 2147483647));
   app.add_option("--repeat", options.repeat, "run this often on each cloud, the shortest time counts")
       ->check(CLI::Range(1, 1000));
   app.add_option("--json", options.json, "append a line of JSON for each cloud and method; - for standard output");
@@ -168,7 +168,9 @@ int main(int argc, char** argv) {
       std::printf("%s\n", eval::aboutJson().c_str());
       return 0;
     }
-    LineWriter lines(options.json);
+    // All of them before the first one is measured.
+    for (const std::string& set : options.sets) checkRecipe(recipeOf(set, 0, options));
+    eval::LineWriter lines(options.json);
     for (const std::string& set : options.sets) compareOn(set, options, lines);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compare: %s\n", error.what());

@@ -3,15 +3,14 @@
 // The data sets by name and the variants that they share; see data_sets.h.
 #include "eval/data_sets.h"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
-#include "core/random.h"
 #include "eval/cloud_vectors.h"
 #include "eval/tabletop_frames.h"
+#include "eval/variants.h"
 #include "synthetic/mechanical_part.h"
 #include "synthetic/paper_dataset.h"
+#include "synthetic/small_scene.h"
 
 namespace primitect::eval {
 namespace {
@@ -20,8 +19,6 @@ using synthetic::kSceneKindCount;
 using synthetic::SceneKind;
 
 const std::string kPaper = "paper-", kConcave = "concave-";
-
-bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
 Vec3 mirrored(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
@@ -43,13 +40,26 @@ void turnInsideOut(LabelledCloud& result) {
   }
 }
 
-LabelledCloud paperScene(const Recipe& recipe, SceneKind kind) {
-  synthetic::PaperScene scene = makePaperScene(kind, recipe.seed, recipe.sigma, recipe.outliers);
+LabelledCloud labelled(synthetic::PaperScene scene, const Recipe& recipe) {
   LabelledCloud result;
   for (const Shape& shape : scene.truth) result.truth.push_back({shape});
   result.cloud = std::move(scene.cloud);
   result.surface = std::move(scene.surface);
   if (recipe.sigma > 0.0) result.unit = recipe.sigma;
+  return result;
+}
+
+LabelledCloud paperScene(const Recipe& recipe, SceneKind kind) {
+  return labelled(makePaperScene(kind, recipe.seed, recipe.sigma, recipe.outliers), recipe);
+}
+
+/// What hides much of an object leaves too little of it.
+LabelledCloud smallScene(const Recipe& recipe) {
+  const synthetic::PaperScene scene = synthetic::makeSmallScene(recipe.seed, recipe.sigma, recipe.outliers);
+  LabelledCloud result = labelled(scene, recipe);
+  for (std::size_t t = 0; t < result.truth.size(); ++t) {
+    result.truth[t].must = scene.owned[t] >= synthetic::kSmallestShare * static_cast<double>(scene.surface.size());
+  }
   return result;
 }
 
@@ -79,7 +89,8 @@ LabelledCloud mechanicalPart(const Recipe& recipe) {
 }
 
 LabelledCloud withoutVariants(const Recipe& recipe) {
-  if (recipe.set == "tabletop") return tabletopFrame(recipe);
+  if (recipe.set == "small") return smallScene(recipe);
+  if (recipe.set == "tabletop" || recipe.set == "clutter") return tabletopFrame(recipe);
   if (recipe.set == "parts") return mechanicalPart(recipe);
   for (std::size_t k = 0; k < kSceneKindCount; ++k) {
     const SceneKind kind = static_cast<SceneKind>(k);
@@ -94,43 +105,6 @@ LabelledCloud withoutVariants(const Recipe& recipe) {
   throw std::invalid_argument("data set '" + recipe.set + "': must be one of" + known);
 }
 
-void keepOnly(const std::vector<std::size_t>& kept, std::vector<float>& values) {
-  if (values.empty()) return;
-  for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[kept[k]];
-  values.resize(kept.size());
-}
-
-/// Takes points out of an unorganized cloud; those of an organized cloud go missing. Normals stay those of all points:
-/// what is looked at is the sampling.
-void thinOut(Cloud& cloud, double keep, Random random) {
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (random.uniform() < keep) {
-      kept.push_back(i);
-      continue;
-    }
-    cloud.valid_count -= cloud.valid(i) ? 1 : 0;
-    cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
-  }
-  if (cloud.organized()) return;
-  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z, &cloud.nx, &cloud.ny, &cloud.nz}) {
-    keepOnly(kept, *values);
-  }
-  cloud.width = static_cast<std::uint32_t>(kept.size());
-}
-
-/// Throws for a value that the sets themselves do not look at.
-void checkRecipe(const Recipe& recipe) {
-  const auto check = [](bool fine, const char* name, double value, const char* range) {
-    if (!fine) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be in " + range);
-  };
-  check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
-  check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
-  const bool has_outliers = startsWith(recipe.set, kPaper) || startsWith(recipe.set, kConcave);
-  check(has_outliers || recipe.outliers == 0.0, ("outliers of " + recipe.set).c_str(), recipe.outliers, "0 to 0");
-}
-
 }  // namespace
 
 std::vector<std::string> dataSetNames() {
@@ -142,7 +116,9 @@ std::vector<std::string> dataSetNames() {
       if (family == kPaper || kind != SceneKind::planes) names.push_back(family + synthetic::sceneKindName(kind));
     }
   }
+  names.push_back("small");
   names.push_back("tabletop");
+  names.push_back("clutter");
   names.push_back("parts");
   return names;
 }
@@ -153,8 +129,8 @@ LabelledCloud makeLabelledCloud(const Recipe& recipe) {
   result.recipe = recipe;
   // Depth frames and parts bring their own.
   if (result.scored.size() == 0) result.scored = result.cloud;
-  // Other numbers than those that made the scene.
-  if (recipe.keep < 1.0) thinOut(result.cloud, recipe.keep, Random(recipe.seed ^ 0x7468696eU));
+  if (recipe.keep < 1.0 || recipe.uneven > 1.0) thinOut(result.cloud, recipe.keep, recipe.uneven, recipe.seed);
+  if (recipe.shuffle) shufflePoints(result.cloud, recipe.seed);
   return result;
 }
 

@@ -3,25 +3,14 @@
 // What every method is given, and what is true about it.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "eval/metrics.h"
+#include "eval/recipe.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
 namespace primitect::eval {
-
-/// What a cloud of a data set is made with. Values that a set does not know are left at their default.
-struct Recipe {
-  std::string set = "paper-mixed";  ///< one of dataSetNames()
-  std::uint64_t seed = 1;
-  double sigma = 0.01;       ///< m, noise of the paper's sets; of the parts the half width of the uniform noise
-  double noise_scale = 1.0;  ///< times the noise of the simulated depth sensor
-  double outliers = 0.0;     ///< share of points thrown anywhere into the bounding box, [0, 1)
-  double keep = 1.0;         ///< share of the points that is kept, drawn at random, (0, 1]
-};
 
 /// A shape that is there.
 struct TrueShape {
@@ -36,7 +25,8 @@ constexpr int kNoShape = -1, kClutter = -2;
 /// One cloud with its truth.
 struct LabelledCloud {
   Recipe recipe;
-  Cloud cloud;  ///< as a detector gets it: organized without normals, or unorganized with normals
+  Cloud cloud;               ///< as a detector gets it: depth frames without normals, everything else with them
+  bool from_sensor = false;  ///< a depth frame: seen from the origin along z
   /// What results are scored on, with normals: all points even if the detector gets a part of them, without noise where
   /// it says so in data_sets.h.
   Cloud scored;

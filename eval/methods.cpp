@@ -78,38 +78,43 @@ Answer detectTimed(Detector& detector, const Cloud& cloud, int repeat) {
     const Detections& detections = detector.detect(cloud);
     answer.total_ms = std::min(answer.total_ms, millisecondsSince(start));
     answer.vote_ms = std::min(answer.vote_ms, vote_ms);
-    answer.shapes.clear();
-    for (const Detection& detection : detections.items) answer.shapes.push_back(detection.shape);
+    answer.detections = detections.items;
     if (detections.status != Status::ok) answer.failure = statusName(detections.status);
   }
+  for (const Detection& detection : answer.detections) answer.shapes.push_back(detection.shape);
   detector.onStageDone(nullptr);
   return answer;
 }
 
-Method ours(const std::string& name, const std::string& configuration) {
-  const std::shared_ptr<Contestant> contestant = parseContestant(configuration);
-  return {name, [contestant](const LabelledCloud& input, int repeat) {
-            Detector& detector = input.cloud.organized() ? contestant->for_frames : contestant->for_scenes;
-            return detectTimed(detector, input.cloud, repeat);
-          }};
+Method ours(const std::string& name, const std::string& configuration, int algorithm_seed) {
+  const std::string seed = algorithm_seed > 0 ? ",seed=" + std::to_string(algorithm_seed) : "";
+  const std::shared_ptr<Contestant> contestant = parseContestant(configuration + seed);
+  const auto run = [contestant](const LabelledCloud& input, int repeat) {
+    Detector& detector = input.from_sensor ? contestant->for_frames : contestant->for_scenes;
+    return detectTimed(detector, input.cloud, repeat);
+  };
+  return {name, run, true, algorithm_seed};
 }
 
 /// The shapes that must be found handed in as a result: what the scoring itself costs.
 Method truthItself() {
-  return {"truth", [](const LabelledCloud& input, int) {
-            Answer answer;
-            for (const TrueShape& truth : input.truth) {
-              if (truth.must) answer.shapes.push_back(truth.shape);
-            }
-            return answer;
-          }};
+  const auto run = [](const LabelledCloud& input, int) {
+    Answer answer;
+    for (const TrueShape& truth : input.truth) {
+      if (truth.must) answer.shapes.push_back(truth.shape);
+    }
+    return answer;
+  };
+  return {"truth", run};
 }
 
 }  // namespace
 
-Method makeMethod(const std::string& text) {
+Method makeMethod(const std::string& text, int algorithm_seed) {
   if (text == "truth") return truthItself();
-  if (const auto named = kNamed.find(text); named != kNamed.end()) return ours(text, named->second);
+  if (const auto named = kNamed.find(text); named != kNamed.end()) {
+    return ours(text, named->second, algorithm_seed);
+  }
   if (std::optional<Method> peer = makePeer(text)) return *peer;
   const std::size_t name_end = text.find('=');
   if (name_end == std::string::npos || name_end == 0) {
@@ -119,7 +124,7 @@ Method makeMethod(const std::string& text) {
     throw std::invalid_argument("method '" + text + "': must be " + known + ", or NAME=preset:PRESET,parameter=value");
   }
   try {
-    return ours(text.substr(0, name_end), text.substr(name_end + 1));
+    return ours(text.substr(0, name_end), text.substr(name_end + 1), algorithm_seed);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("method '" + text + "': " + error.what());
   }

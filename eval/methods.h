@@ -15,10 +15,11 @@ namespace primitect::eval {
 /// What a method says about a cloud.
 struct Answer {
   std::vector<Shape> shapes;
-  double total_ms = 0.0;    ///< cloud in memory -> shapes; without reading files and without foreign normals
-  double vote_ms = -1.0;    ///< ours: the voting stage alone; -1: has none
-  double prepare_ms = 0.0;  ///< part of total_ms that builds search trees
-  std::string failure;      ///< not empty: the method gave up on this cloud, and why
+  std::vector<Detection> detections;  ///< ours: all that is said of each shape; peers: empty
+  double total_ms = 0.0;              ///< cloud in memory -> shapes; without reading files and without foreign normals
+  double vote_ms = -1.0;              ///< ours: the voting stage alone; -1: has none
+  double prepare_ms = 0.0;            ///< part of total_ms that builds search trees
+  std::string failure;                ///< not empty: the method gave up on this cloud, and why
 };
 
 /// A detector under a name. `run` gets clouds one after the other and repeats itself `repeat` times on each: the
@@ -26,11 +27,14 @@ struct Answer {
 struct Method {
   std::string name;
   std::function<Answer(const LabelledCloud& input, int repeat)> run;
+  bool ours = false;
+  int algorithm_seed = 0;  ///< ours: see makeMethod()
 };
 
 /// Ours: "default", "paper", the ablations "b" to "e" of the paper, or NAME=preset:PRESET,parameter=value,...
 /// Peers: see eval/peers/peers.h.
+/// algorithm_seed: of our random draw, whatever the text says; 0: that of the text. Peers and the truth ignore it.
 /// Throws std::invalid_argument naming the text and what is allowed.
-Method makeMethod(const std::string& text);
+Method makeMethod(const std::string& text, int algorithm_seed = 0);
 
 }  // namespace primitect::eval

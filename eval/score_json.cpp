@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/data_sets.h"
+#include "eval/nees.h"
 #include "eval/peers/peers.h"
 
 namespace primitect::eval {
@@ -35,25 +36,58 @@ Json errorsJson(const ParameterErrors& errors) {
   return json;
 }
 
+const char* verdictName(Verdict verdict) {
+  if (verdict == Verdict::no_matter) return "no matter";
+  return verdict == Verdict::right ? "right" : "wrong";
+}
+
+Json neesJson(Kind kind, const NormalisedErrors& errors) {
+  Json json = Json::object();
+  const auto add = [&json](const char* name, const std::optional<NormalisedError>& error) {
+    if (error) json[name] = {error->value, error->degrees};
+  };
+  add("origin", errors.origin);
+  add("axis", errors.axis);
+  add("pose", errors.pose);
+  add("radius", errors.radius);
+  add("half_angle", errors.half_angle);
+  add("total", errors.total(kind));
+  return json;
+}
+
+/// Confidence and normalised errors only where the method tells them.
+Json detectionsJson(const LabelledCloud& input, const Answer& answer, const CaseScore& score) {
+  Json json = Json::array();
+  for (std::size_t d = 0; d < answer.shapes.size(); ++d) {
+    const Kind kind = kindOf(answer.shapes[d]);
+    Json entry = {{"kind", kindName(kind)}, {"verdict", verdictName(score.verdicts[d])}};
+    if (d < answer.detections.size()) {
+      const Detection& detection = answer.detections[d];
+      if (detection.confidence >= 0.0f) entry["confidence"] = detection.confidence;
+      if (score.verdicts[d] == Verdict::right) {
+        const Json nees = neesJson(kind, normalisedErrors(input.truth[score.true_shape[d]].shape, detection));
+        if (!nees.empty()) entry["nees"] = nees;
+      }
+    }
+    json.push_back(entry);
+  }
+  return json;
+}
+
 }  // namespace
 
-std::string scoreLine(const LabelledCloud& input, const std::string& method, const Answer& answer,
-                      const CaseScore& score) {
+std::string scoreLine(const LabelledCloud& input, const Method& method, const Answer& answer, const CaseScore& score) {
   const Recipe& recipe = input.recipe;
-  Json json = {{"set", recipe.set},
-               {"seed", recipe.seed},
-               {"sigma", recipe.sigma},
-               {"noise_scale", recipe.noise_scale},
-               {"outliers", recipe.outliers},
-               {"keep", recipe.keep},
-               {"unit", input.unit},
-               {"points", score.points},
-               {"method", method},
-               {"failure", answer.failure},
-               {"total_ms", answer.total_ms},
-               {"vote_ms", answer.vote_ms},
-               {"prepare_ms", answer.prepare_ms}};
+  Json json = {{"set", recipe.set},           {"seed", recipe.seed},
+               {"sigma", recipe.sigma},       {"noise_scale", recipe.noise_scale},
+               {"outliers", recipe.outliers}, {"keep", recipe.keep},
+               {"uneven", recipe.uneven},     {"shuffle", recipe.shuffle},
+               {"unit", input.unit},          {"points", score.points},
+               {"method", method.name},       {"algorithm_seed", method.algorithm_seed},
+               {"failure", answer.failure},   {"total_ms", answer.total_ms},
+               {"vote_ms", answer.vote_ms},   {"prepare_ms", answer.prepare_ms}};
   json["all"] = countsJson(score.all);
+  json["false_curved"] = score.false_curved;
   json["errors"] = Json::object();
   for (std::size_t k = 0; k < kKindCount; ++k) {
     const char* kind = kindName(static_cast<Kind>(k));
@@ -62,6 +96,7 @@ std::string scoreLine(const LabelledCloud& input, const std::string& method, con
   }
   json["p_coverage"] = score.p_coverage;
   json["s_coverage"] = score.s_coverage.empty() ? Json(nullptr) : Json(score.s_coverage);
+  json["detections"] = detectionsJson(input, answer, score);
   return json.dump();
 }
 

@@ -40,6 +40,7 @@ void addCase(Totals& totals, const CaseScore& score, const Answer& answer) {
   ++totals.clouds;
   totals.failures += answer.failure.empty() ? 0 : 1;
   totals.counts += score.all;
+  totals.false_curved += score.false_curved;
   totals.point_coverage += score.p_coverage[kTwoCentimeters];
   if (!score.s_coverage.empty()) {
     totals.shape_coverage += score.s_coverage[kTwoCentimeters];
@@ -51,9 +52,9 @@ void addCase(Totals& totals, const CaseScore& score, const Answer& answer) {
 
 std::string tableHeading() {
   return "                  typed          |-------- any kind, % --------------------|   DOD / unit  coverage 0.02"
-         "     median ms\n"
+         "  false     median ms\n"
          "               prec.    rec.  prec.   rec. missed  noise   over  under    any  typed      p      s"
-         "    vote   total";
+         " curved    vote   total";
 }
 
 std::string tableLine(const std::string& name, const Totals& totals) {
@@ -70,6 +71,7 @@ std::string tableLine(const std::string& name, const Totals& totals) {
   line += cell(quotient(c.dod, c.correct), 7, 2) + cell(quotient(c.typed_dod, c.typed_correct), 7, 2);
   line += cell(100.0 * quotient(totals.point_coverage, totals.clouds), 7, 1);
   line += cell(100.0 * quotient(totals.shape_coverage, totals.shape_clouds), 7, 1);
+  line += cell(quotient(totals.false_curved, totals.clouds), 7, 2);
   line += cell(median(totals.vote_ms), 8, 1) + cell(median(totals.total_ms), 8, 1);
   if (totals.failures > 0) line += "  (" + std::to_string(totals.failures) + " without an answer)";
   return line;

@@ -84,11 +84,14 @@ Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
 
 LabelledCloud tabletopFrame(const Recipe& recipe) {
   constexpr double kMillimeter = 0.001;
-  const View view{synthetic::clutteredTable(recipe.seed), PinholeCamera(), synthetic::clutterPose(recipe.seed)};
+  const View view{
+      recipe.set == "clutter" ? synthetic::shapelessTable(recipe.seed) : synthetic::clutteredTable(recipe.seed),
+      PinholeCamera(), synthetic::clutterPose(recipe.seed)};
   synthetic::FrameParams params;
   params.noise.scale = recipe.noise_scale;
   const Frame frame = renderFrame(view.world, view.camera, view.world_from_camera, params, recipe.seed, 0);
   LabelledCloud result;
+  result.from_sensor = true;
   result.unit = kMillimeter;
   result.rules.max_distance = 20.0 * kMillimeter;
   cloudFromDepth(frame.depth, view.camera, params.truth.range, result.cloud);

@@ -44,7 +44,7 @@ std::optional<Settings> parseName(const std::string& name) {
 /// Three times the noise, m; on depth frames the noise at 1.5 m.
 double epsilonFor(const LabelledCloud& input) {
   constexpr double kOnDepthFrames = 0.01;
-  return input.cloud.organized() ? kOnDepthFrames * input.recipe.noise_scale : 3.0 * input.recipe.sigma;
+  return input.from_sensor ? kOnDepthFrames * input.recipe.noise_scale : 3.0 * input.recipe.sigma;
 }
 
 std::vector<std::string> argumentsFor(const Settings& settings, const LabelledCloud& input, const std::string& file,

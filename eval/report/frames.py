@@ -20,10 +20,24 @@ COLUMNS = ("preset", "frame", "item", "kind", "name", "must", "verdict", "report
            "nominal_radius_mm", "radius_mm", "radius_error_mm", "total_ms")
 
 
-def run_detect(program, paths, preset, scratch):
+def detect_options(settings):
+    """Preset and options of the program from "preset:NAME,parameter=value,...", as compare takes it."""
+    preset, options = "default", []
+    for part in settings.split(","):
+        name, _, value = part.partition("=")
+        if part.startswith("preset:"):
+            preset = part[len("preset:"):]
+        elif value:
+            options += ["--" + name, value]
+        else:
+            raise ValueError("method setting %r: must be preset:NAME or parameter=value" % part)
+    return preset, options
+
+
+def run_detect(program, paths, preset, scratch, options=()):
     """Runs the program on all files at once; it leaves NAME.json and NAME.ply in scratch. Returns what went wrong."""
     command = [program] + paths + ["--preset", preset, "--repeat", str(REPEAT), "--json", scratch + "/",
-                                   "--labels", scratch + "/"]
+                                   "--labels", scratch + "/", *options]
     try:
         done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                               timeout=60 + 20 * len(paths), errors="replace")
@@ -154,8 +168,8 @@ def write_tables(out_dir, rows, summary):
         json.dump(summary, file, indent=1, ensure_ascii=False)
 
 
-def score_and_draw(folder, detect_program, out_dir, presets=("default", "paper")):
-    """Scores and draws every labelled PCD of a folder with each preset.
+def score_and_draw(folder, detect_program, out_dir, presets=("default", "paper"), options=()):
+    """Scores and draws every labelled PCD of a folder with each preset. options: more of the program's arguments.
 
     Writes out_dir/frames.csv, frames_summary.json, frame_NAME_PRESET.png and frames_PRESET.png (all frames on one
     sheet; "contact_sheet" is the first preset's). Returns
@@ -173,7 +187,7 @@ def score_and_draw(folder, detect_program, out_dir, presets=("default", "paper")
                          "pictures": {}, "sheets": {}, "contact_sheet": None, "faults": faults}
     for preset in presets:
         with tempfile.TemporaryDirectory() as scratch:
-            faults += run_detect(detect_program, paths, preset, scratch)
+            faults += run_detect(detect_program, paths, preset, scratch, options)
             entries = score_preset(frames, preset, scratch, out_dir, faults)
         summary["presets"][preset] = summarise(entries)
         summary["pictures"][preset] = {name: result["picture"] for name, _, result, _ in entries}

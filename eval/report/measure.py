@@ -22,9 +22,11 @@ def command_of(program, call):
                "--sigma", repr(recipe.sigma), "--noise-scale", repr(recipe.noise_scale),
                "--outliers", repr(recipe.outliers), "--keep", repr(recipe.keep), "--max-angle-deg", repr(recipe.angle),
                "--repeat", str(call.repeat)]
+    if recipe.uneven != 1.0:
+        command += ["--uneven", repr(recipe.uneven)]
     for method in call.methods:
         command += ["--method", method]
-    return command + ["--json", "-"]
+    return command + ["--json", "-"] + (["--shuffle"] if recipe.shuffle else [])
 
 
 def task_text(call):

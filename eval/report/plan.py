@@ -7,7 +7,7 @@ were not; of the latter only the truth, without any detector, was looked at, to 
 """
 from collections import namedtuple
 
-LOOKED_AT = ((1, 99), (300, 303), (500, 539), (2000, 2039), (4000, 4039))  # first and last
+LOOKED_AT = ((1, 99), (300, 303), (500, 539), (2000, 2099), (4000, 4039))  # first and last
 FIRST_SEED = {"quick": 100, "full": 1000}
 PARTS = ("paper", "noise", "variants", "tabletop", "parts", "runtime", "samples", "pictures")
 KINDS = ("spheres", "cylinders", "cones", "planes", "mixed")
@@ -24,7 +24,8 @@ CONCAVE = ("concave-spheres", "concave-cylinders", "concave-cones", "concave-mix
 ABLATIONS = ("b", "c", "d", "e")
 
 # How a cloud is made, and within how many degrees a point's normal must agree with its shape when scoring.
-Recipe = namedtuple("Recipe", "set sigma noise_scale outliers keep angle", defaults=(0.01, 1.0, 0.0, 1.0, USUAL_ANGLE))
+Recipe = namedtuple("Recipe", "set sigma noise_scale outliers keep angle uneven shuffle",
+                    defaults=(0.01, 1.0, 0.0, 1.0, USUAL_ANGLE, 1.0, False))
 # seeds: method text -> number of seeds, from FIRST_SEED on.
 Experiment = namedtuple("Experiment", "part recipe seeds repeat")
 Key = namedtuple("Key", "recipe seed method repeat")
@@ -137,7 +138,7 @@ def keys_of(experiment, first_seed, method):
 
 def seconds_of(recipe, methods, repeat):
     """What one cloud takes, roughly."""
-    small = 0.2 if recipe.set in ("parts", "tabletop") else 1.0
+    small = 0.2 if recipe.set in ("parts", "tabletop", "clutter") else 1.0
     each = [SECONDS.get(method.split("=")[0].split(":")[0], 0.2) for method in methods]
     return small + repeat * sum(each) * (0.5 if small < 1.0 else 1.0)
 

@@ -8,6 +8,9 @@ import os
 from report.plan import Key, Recipe
 
 
+LATER = {"uneven": 1.0, "shuffle": False}  # older lines do not have these
+
+
 class Mixed(Exception):
     """Kept lines were measured with another commit or on another machine."""
 
@@ -38,7 +41,8 @@ def load(path):
 def key_of(line):
     """What makes a kept line the answer to one question."""
     # Rounded: the program prints what it was given, but perhaps not to the last digit.
-    recipe = Recipe(line["set"], *(round(line[name], 9) for name in Recipe._fields[1:]))
+    recipe = Recipe(line["set"], *(round(line[name], 9) for name in Recipe._fields[1:-2]),
+                    *(line.get(name, usual) for name, usual in LATER.items()))
     return Key(recipe, line["seed"], line["text"], line["repeat"])
 
 
@@ -70,8 +74,8 @@ def check_recipe(line, call):
     if line.get("seed") not in range(call.first, call.first + call.count):
         raise ValueError("the program answered for seed %r, asked were %d of them from %d on"
                          % (line.get("seed"), call.count, call.first))
-    for name in ("sigma", "noise_scale", "outliers", "keep"):
-        told, asked = line.get(name), getattr(call.recipe, name)
+    for name in ("sigma", "noise_scale", "outliers", "keep", *LATER):
+        told, asked = line.get(name, LATER.get(name)), getattr(call.recipe, name)
         if not isinstance(told, (int, float)) or not math.isclose(told, asked, abs_tol=1e-12):
             raise ValueError("the program answered for %s %r, asked was %r" % (name, told, asked))
 

@@ -32,6 +32,24 @@ TEST(CaseScore, GivesFullMarksToTheTruth) {
   EXPECT_EQ(score.s_coverage.back(), 1.0);
 }
 
+TEST(CaseScore, JudgesEachDetection) {
+  LabelledCloud input = shelves(3);
+  input.truth[2].must = false;
+  // The first has the right place and the wrong kind, the third lies on what need not be found, the last on nothing.
+  const CaseScore score = scoreCase(input, {flatSphere(1), shelf(2), shelf(3), flatSphere(9)});
+  EXPECT_EQ(score.verdicts, (std::vector<Verdict>{Verdict::wrong, Verdict::right, Verdict::no_matter, Verdict::wrong}));
+  EXPECT_EQ(score.true_shape, (std::vector<int>{kNoShape, 1, kNoShape, kNoShape}));
+}
+
+TEST(CaseScore, CountsFalseCurvedShapes) {
+  LabelledCloud input = shelves(3);
+  input.truth[2].must = false;
+  const std::vector<Shape> found = {flatSphere(1), shelf(2), flatSphere(3), shelf(9)};
+  EXPECT_EQ(scoreCase(input, found).false_curved, 1);
+  input.recipe.set = "clutter";
+  EXPECT_EQ(scoreCase(input, found).false_curved, 2) << "there is no curved shape at all on such a frame";
+}
+
 TEST(CaseScore, GivesDodInTheUnitOfTheCloud) {
   LabelledCloud input = shelves(2);
   input.unit = 0.01;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "eval/case_score.h"
@@ -20,7 +21,7 @@ Recipe recipeOf(const std::string& set, std::uint64_t seed = 3) {
   Recipe recipe;
   recipe.set = set;
   recipe.seed = seed;
-  recipe.sigma = 0.005;
+  if (usedBySet(set).sigma) recipe.sigma = 0.005;
   return recipe;
 }
 
@@ -86,6 +87,77 @@ TEST(Recipe, WithFewerPointsOfADepthFrameLeavesHoles) {
   EXPECT_NEAR(static_cast<double>(thin.cloud.valid_count), 0.1 * all, 0.005 * all);
 }
 
+/// How much denser the thinned cloud is in the first tenth of its width than in the last, in the direction in which
+/// that is most.
+double densestToThinnestTenth(const LabelledCloud& all, const LabelledCloud& thin) {
+  double largest = 0.0;
+  for (int step = 0; step < 36; ++step) {
+    const double cosine = std::cos(step * 0.1745329), sine = std::sin(step * 0.1745329);
+    const auto counts = [&](const Cloud& cloud) {
+      double least = 1e9, most = -1e9;
+      for (std::size_t i = 0; i < all.cloud.size(); ++i) {
+        const double place = all.cloud.x[i] * cosine + all.cloud.y[i] * sine;
+        least = std::min(least, place), most = std::max(most, place);
+      }
+      std::pair<double, double> count{1.0, 1.0};
+      for (std::size_t i = 0; i < cloud.size(); ++i) {
+        const double share = (cloud.x[i] * cosine + cloud.y[i] * sine - least) / (most - least);
+        count.first += share < 0.1 ? 1.0 : 0.0;
+        count.second += share > 0.9 ? 1.0 : 0.0;
+      }
+      return count;
+    };
+    const auto [thin_low, thin_high] = counts(thin.cloud);
+    const auto [all_low, all_high] = counts(all.cloud);
+    largest = std::max(largest, thin_low / all_low / (thin_high / all_high));
+  }
+  return largest;
+}
+
+TEST(Recipe, UnevenThinsOutMoreAndMoreAcrossTheCloud) {
+  Recipe recipe = recipeOf("paper-planes");
+  const LabelledCloud all = makeLabelledCloud(recipe);
+  recipe.uneven = 10.0;
+  const LabelledCloud thin = makeLabelledCloud(recipe);
+  // Within the outer tenths the density falls by 10^0.1 each, so their quotient is 10^0.9; a corner holds few points.
+  EXPECT_NEAR(densestToThinnestTenth(all, thin), std::pow(10.0, 0.9), 2.5);
+  EXPECT_LT(thin.cloud.size(), all.cloud.size());
+  EXPECT_EQ(thin.scored.size(), all.cloud.size());
+}
+
+TEST(Recipe, ShuffledHoldsTheSamePointsInAnotherOrder) {
+  for (const std::string set : {"paper-spheres", "tabletop"}) {
+    Recipe recipe = recipeOf(set);
+    const LabelledCloud ordered = makeLabelledCloud(recipe);
+    recipe.shuffle = true;
+    const LabelledCloud shuffled = makeLabelledCloud(recipe);
+    EXPECT_FALSE(shuffled.cloud.organized());
+    ASSERT_EQ(shuffled.cloud.size(), ordered.cloud.valid_count) << set;
+    EXPECT_EQ(shuffled.cloud.hasNormals(), ordered.cloud.hasNormals());
+    EXPECT_EQ(shuffled.from_sensor, ordered.from_sensor);
+    EXPECT_EQ(shuffled.surface, ordered.surface) << "scoring is on the points as they were";
+    std::vector<float> before, after = shuffled.cloud.x;
+    for (std::size_t i = 0; i < ordered.cloud.size(); ++i) {
+      if (ordered.cloud.valid(i)) before.push_back(ordered.cloud.x[i]);
+    }
+    EXPECT_NE(before, after) << set;
+    std::sort(before.begin(), before.end());
+    std::sort(after.begin(), after.end());
+    EXPECT_EQ(before, after) << set;
+  }
+}
+
+TEST(Recipe, ShuffledScoresTheSameTruthAlike) {
+  Recipe recipe = recipeOf("paper-mixed");
+  recipe.shuffle = true;
+  const LabelledCloud input = makeLabelledCloud(recipe);
+  const CaseScore score = scoreCase(input, makeMethod("truth").run(input, 1).shapes);
+  EXPECT_EQ(score.all.typed_correct, score.all.truths);
+  // Noise of 0.005 m: nearly all points within 0.02 m of a shape, but within 0.05 m of their own; another order of the
+  // points than that of the labels would make s-coverage nonsense.
+  EXPECT_GT(score.s_coverage[10], 0.95);
+}
+
 TEST(Recipe, OutliersBelongToNothing) {
   Recipe recipe = recipeOf("paper-spheres");
   recipe.outliers = 0.4;
@@ -129,6 +201,20 @@ TEST(Parts, AreMeasuredWithNoiseAndScoredWithout) {
   EXPECT_LT(largest, 0.00501);
 }
 
+TEST(SmallScenes, AskForWhatOwnsThreeInAThousand) {
+  int optional = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const LabelledCloud input = makeLabelledCloud(recipeOf("small", seed));
+    std::vector<int> owned(input.truth.size(), 0);
+    for (const int t : input.surface) ++owned.at(t);
+    for (std::size_t t = 0; t < owned.size(); ++t) {
+      EXPECT_EQ(input.truth[t].must, owned[t] >= 0.003 * 160801) << "seed " << seed << " shape " << t;
+      optional += input.truth[t].must ? 0 : 1;
+    }
+  }
+  EXPECT_GT(optional, 0);
+}
+
 TEST(TabletopFrames, KnowWhatIsNoneOfTheKinds) {
   std::size_t clutter = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -136,6 +222,12 @@ TEST(TabletopFrames, KnowWhatIsNoneOfTheKinds) {
     clutter += std::count(input.surface.begin(), input.surface.end(), kClutter);
   }
   EXPECT_GT(clutter, 3000u);
+}
+
+TEST(ClutterFrames, AskForPlanesOnly) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("clutter"));
+  for (const TrueShape& truth : input.truth) EXPECT_EQ(kindOf(truth.shape), Kind::plane);
+  EXPECT_GT(std::count(input.surface.begin(), input.surface.end(), kClutter), 5000);
 }
 
 TEST(Methods, AreThePresetsAndAblationsOfTheirNames) {
@@ -186,11 +278,32 @@ TEST(TabletopFrames, AskForConvexShapesWithEnoughPixelsOnly) {
   }
 }
 
+TEST(Recipe, WithAValueThatTheSetDoesNotUseIsRefused) {
+  Recipe recipe = recipeOf("tabletop");
+  recipe.sigma = 0.02;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe = recipeOf("paper-mixed");
+  recipe.noise_scale = 2.0;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+}
+
+TEST(Recipe, IsDescribedByWhatTheSetUses) {
+  Recipe recipe = recipeOf("tabletop");
+  EXPECT_EQ(describe(recipe), "noise x 1");
+  recipe = recipeOf("small");
+  recipe.shuffle = true;
+  recipe.outliers = 0.3;
+  EXPECT_EQ(describe(recipe), "sigma 0.005, outliers 0.3, shuffled");
+}
+
 TEST(Recipe, OutOfRangeIsRefused) {
   Recipe recipe = recipeOf("paper-mixed");
   recipe.keep = 0.0;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
   recipe.keep = 1.0;
+  recipe.uneven = 0.5;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe.uneven = 1.0;
   recipe.sigma = -1.0;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
   EXPECT_THROW(makeLabelledCloud(recipeOf("paper-cubes")), std::invalid_argument);
@@ -204,6 +317,17 @@ TEST(Methods, RefuseWhatTheyDoNotKnow) {
   EXPECT_THROW(makeMethod("x=preset:unknown"), std::invalid_argument);
   EXPECT_THROW(makeMethod("x=samples=many"), std::invalid_argument);
   EXPECT_THROW(makeMethod("x=nonsense"), std::invalid_argument);
+}
+
+TEST(Methods, TakeAnAlgorithmSeed) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("paper-spheres"));
+  const auto firstDistance = [&](const Method& method) {
+    return distance(method.run(input, 1).shapes.at(0), Vec3::Zero());
+  };
+  EXPECT_EQ(firstDistance(makeMethod("default", 7)), firstDistance(makeMethod("x=preset:default,seed=7")));
+  EXPECT_NE(firstDistance(makeMethod("default", 7)), firstDistance(makeMethod("default", 8)));
+  EXPECT_TRUE(makeMethod("default", 7).ours);
+  EXPECT_FALSE(makeMethod("truth", 7).ours);
 }
 
 TEST(Methods, TakeParametersFromTheirText) {

@@ -12,6 +12,7 @@
 #include "synthetic/clutter_objects.h"
 #include "synthetic/poses.h"
 #include "synthetic/scene_layout.h"
+#include "synthetic/soft_objects.h"
 #include "synthetic/tabletop.h"
 
 namespace primitect::synthetic {
@@ -64,14 +65,12 @@ World drawRoom(Random& random) {
   return world;
 }
 
-}  // namespace
-
-World clutteredTable(std::uint64_t seed) {
+/// A room with drawn things on its table.
+World furnished(std::vector<Pile> (*draw)(Random&), std::uint64_t seed, Random& random) {
   constexpr int kTries = 100;
-  Random random(2 * seed);
   World world = drawRoom(random);
   for (int attempt = 0; attempt < kTries; ++attempt) {
-    const std::vector<Pile> piles = drawPiles(random);
+    const std::vector<Pile> piles = draw(random);
     const std::optional<std::vector<Place>> places = drawPlaces(piles, random);
     if (!places) continue;
     for (std::size_t i = 0; i < piles.size(); ++i) {
@@ -83,6 +82,18 @@ World clutteredTable(std::uint64_t seed) {
     return world;
   }
   throw std::runtime_error("cluttered table: found no room for the things of seed " + std::to_string(seed));
+}
+
+}  // namespace
+
+World clutteredTable(std::uint64_t seed) {
+  Random random(2 * seed);
+  return furnished(drawPiles, seed, random);
+}
+
+World shapelessTable(std::uint64_t seed) {
+  Random random((2 * seed) ^ 0x736f6674U);
+  return furnished(drawSoftPiles, seed, random);
 }
 
 Eigen::Isometry3d clutterPose(std::uint64_t seed) {

@@ -17,6 +17,10 @@ namespace primitect::synthetic {
 /// table. World frame as in tabletop.h. Throws std::runtime_error when the things find no place (no seed is known).
 World clutteredTable(std::uint64_t seed);
 
+/// The same room and table with nothing on it that is a sphere, a cylinder or a cone: 2 to 4 boxes, 2 to 4 ellipsoids,
+/// tori and lumps, and 3 to 5 of folded cloths, cables, plants in boxes and hands ("cloth", "cable", "leaf", "hand").
+World shapelessTable(std::uint64_t seed);
+
 /// world_from_camera (optical frame): 0.8 to 1.3 m from the middle of the things, 25 to 55 deg from above, any side
 /// within 50 deg, rolled by up to 5 deg. Objects may reach out of the image.
 Eigen::Isometry3d clutterPose(std::uint64_t seed);

@@ -85,12 +85,6 @@ Object drawPot(Random& random) {
   return {"pot", pot, at(0.0, -begin), 0.0, radius};
 }
 
-Object drawBox(Random& random) {
-  const double half_x = random.uniform(0.030, 0.090), half_y = random.uniform(0.025, half_x);
-  const double half_z = random.uniform(0.020, 0.090);
-  return {"box", Box{half_x, half_y, half_z}, at(0.0, half_z), half_x, half_y};
-}
-
 /// Each half axis at least a quarter shorter than the one before, in any order.
 Object drawEllipsoid(Random& random) {
   std::array<double, 3> half;
@@ -129,14 +123,24 @@ Object drawLump(Random& random) {
   return {"lump", lump, at(0.0, lowest(lump)), 0.0, lump.radius * (1.0 + lump.bump)};
 }
 
-Object drawPrimitive(Random& random) {
-  constexpr std::array<Object (*)(Random&), 7> kDraw = {drawBall, drawRod, drawCup, drawBowl,
-                                                        drawCone, drawPot, drawBox};
-  return kDraw[random.below(kDraw.size())](random);
+}  // namespace
+
+Object drawBox(Random& random) {
+  const double half_x = random.uniform(0.030, 0.090), half_y = random.uniform(0.025, half_x);
+  const double half_z = random.uniform(0.020, 0.090);
+  return {"box", Box{half_x, half_y, half_z}, at(0.0, half_z), half_x, half_y};
 }
 
 Object drawShapeless(Random& random) {
   constexpr std::array<Object (*)(Random&), 3> kDraw = {drawEllipsoid, drawTorus, drawLump};
+  return kDraw[random.below(kDraw.size())](random);
+}
+
+namespace {
+
+Object drawPrimitive(Random& random) {
+  constexpr std::array<Object (*)(Random&), 7> kDraw = {drawBall, drawRod, drawCup, drawBowl,
+                                                        drawCone, drawPot, drawBox};
   return kDraw[random.below(kDraw.size())](random);
 }
 

@@ -13,6 +13,12 @@ namespace primitect::synthetic {
 /// Things that stand together: [0] on the table, its stadium holds all of them; a further one on top of it.
 using Pile = std::vector<Object>;
 
+/// One thing that is none of the four kinds: ellipsoid, torus or lump.
+Object drawShapeless(Random& random);
+
+/// A box on the table.
+Object drawBox(Random& random);
+
 /// 6 to 14 things, 1 to 3 of them none of the four kinds.
 std::vector<Pile> drawPiles(Random& random);
 

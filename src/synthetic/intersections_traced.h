@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a ray meets the solids that are none of the four kinds; torus and lump by sphere tracing.
+// Where a ray meets the solids that are none of the four kinds; all but ellipsoids by sphere tracing.
 #pragma once
 
 #include <algorithm>
@@ -55,6 +55,20 @@ inline Hit intersect(const Lump& lump, const Vec3& origin, const Vec3& direction
     return (length - lump.reach(p / length)) * shrink;
   };
   return trace(distance, lump.radius * (1.0 + lump.bump), origin, direction);
+}
+
+inline Hit intersect(const Cloth& cloth, const Vec3& origin, const Vec3& direction) {
+  const double reach = Vec3(cloth.half_x, cloth.half_y, cloth.highest()).norm();
+  return trace([&cloth](const Vec3& p) { return cloth.distanceTo(p); }, reach, origin, direction);
+}
+
+inline Hit intersect(const Leaf& leaf, const Vec3& origin, const Vec3& direction) {
+  const double reach = std::hypot(std::max(leaf.half_x, leaf.half_y), leaf.highest());
+  return trace([&leaf](const Vec3& p) { return leaf.distanceTo(p); }, reach, origin, direction);
+}
+
+inline Hit intersect(const Limbs& limbs, const Vec3& origin, const Vec3& direction) {
+  return trace([&limbs](const Vec3& p) { return limbs.distanceTo(p); }, limbs.reach, origin, direction);
 }
 
 }  // namespace primitect::synthetic

@@ -27,6 +27,7 @@ struct PaperScene {
   /// Normals by PCA over the 41 nearest points, the point itself included, turned like the noiseless ones (n_z >= 0).
   Cloud cloud;
   std::vector<Shape> truth;  ///< the shapes that own points; [0] is the background plane if it is seen at all
+  std::vector<int> owned;    ///< points of each of them, before some became outliers
   std::vector<int> surface;  ///< index in truth of each point's shape, -1 for an outlier
 };
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The random objects of the paper's data set, each with the surface that is seen from above; used by paper_dataset.cpp
-// only.
+// The random objects of the paper's data set, each with the surface that is seen from above.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -51,6 +50,13 @@ inline PaperObject background() {
   return {Plane{Vec3::Zero(), Vec3(-0.1, 0.0, 1.0).normalized()}, [](double x, double) { return 0.1 * x; }};
 }
 
+inline PaperObject objectOf(const Sphere& sphere) {
+  return {sphere, [sphere](double x, double y) {
+            const double dx = x - sphere.center.x(), dy = y - sphere.center.y();
+            return sphere.center.z() + upperRoot(1.0, 0.0, dx * dx + dy * dy - sphere.radius * sphere.radius);
+          }};
+}
+
 /// Centre in [-2, 2] x [-2, 2] x [-1, 1], radius in [0.05, 1], not wholly below z = 0.
 inline PaperObject drawSphere(Random& random) {
   Sphere sphere;
@@ -58,10 +64,17 @@ inline PaperObject drawSphere(Random& random) {
     sphere.center = drawPoint(random, -1.0, 1.0);
     sphere.radius = random.uniform(0.05, 1.0);
   } while (sphere.center.z() + sphere.radius < 0.0);
-  return {sphere, [sphere](double x, double y) {
-            const double dx = x - sphere.center.x(), dy = y - sphere.center.y();
-            return sphere.center.z() + upperRoot(1.0, 0.0, dx * dx + dy * dy - sphere.radius * sphere.radius);
-          }};
+  return objectOf(sphere);
+}
+
+/// Its axis is not upright.
+inline double cylinderHeight(const Cylinder& cylinder, double x, double y) {
+  // |p|^2 - (p.a)^2 = R^2 along p = (dx, dy, t).
+  const double dx = x - cylinder.point.x(), dy = y - cylinder.point.y();
+  const double along = dx * cylinder.axis.x() + dy * cylinder.axis.y(), axis_z = cylinder.axis.z();
+  const double rest = dx * dx + dy * dy - along * along - cylinder.radius * cylinder.radius;
+  const double z = cylinder.point.z() + upperRoot(1.0 - axis_z * axis_z, -along * axis_z, rest);
+  return z < kCeiling ? z : kNothing;
 }
 
 /// Axis point in [-2, 2] x [-2, 2] x [-1, 1], |axis_z| <= 0.8, radius in [0.05, 1].
@@ -72,14 +85,7 @@ inline PaperObject drawCylinder(Random& random) {
     cylinder.axis = drawDirection(random, 1.0);
     cylinder.radius = random.uniform(0.05, 1.0);
   } while (std::abs(cylinder.axis.z()) > 0.8);
-  return {cylinder, [cylinder](double x, double y) {
-            // |p|^2 - (p.a)^2 = R^2 along p = (dx, dy, t).
-            const double dx = x - cylinder.point.x(), dy = y - cylinder.point.y();
-            const double along = dx * cylinder.axis.x() + dy * cylinder.axis.y(), axis_z = cylinder.axis.z();
-            const double rest = dx * dx + dy * dy - along * along - cylinder.radius * cylinder.radius;
-            const double z = cylinder.point.z() + upperRoot(1.0 - axis_z * axis_z, -along * axis_z, rest);
-            return z < kCeiling ? z : kNothing;
-          }};
+  return {cylinder, [cylinder](double x, double y) { return cylinderHeight(cylinder, x, y); }};
 }
 
 inline double coneHeight(const Cone& cone, double length, double x, double y) {
@@ -116,10 +122,8 @@ inline PaperObject drawCone(Random& random) {
   return {cone, [cone, length](double x, double y) { return coneHeight(cone, length, x, y); }};
 }
 
-/// Corners in [-2, 2] x [-2, 2] x [0, 2].
-inline PaperObject drawTriangle(Random& random) {
-  std::array<Vec3, 3> corners;
-  for (Vec3& corner : corners) corner = drawPoint(random, 0.0, 2.0);
+/// Seen from its upper side.
+inline PaperObject triangleObject(std::array<Vec3, 3> corners) {
   Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   if (normal.z() < 0.0) {
     std::swap(corners[1], corners[2]);
@@ -135,6 +139,13 @@ inline PaperObject drawTriangle(Random& random) {
             const double dx = x - plane.point.x(), dy = y - plane.point.y();
             return plane.point.z() - (plane.normal.x() * dx + plane.normal.y() * dy) / plane.normal.z();
           }};
+}
+
+/// Corners in [-2, 2] x [-2, 2] x [0, 2].
+inline PaperObject drawTriangle(Random& random) {
+  std::array<Vec3, 3> corners;
+  for (Vec3& corner : corners) corner = drawPoint(random, 0.0, 2.0);
+  return triangleObject(corners);
 }
 
 }  // namespace primitect::synthetic

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "primitect/primitives.h"
+#include "synthetic/soft_solids.h"
 
 namespace primitect::synthetic {
 
@@ -61,7 +62,7 @@ struct Bowl {
   double radius, inner_radius, rim, foot;
 };
 
-/// The following are none of the four kinds: their surface has no shape.
+/// The following, and those of soft_solids.h, are none of the four kinds: their surface has no shape.
 
 /// Surface: 0.
 struct Ellipsoid {
@@ -80,7 +81,7 @@ struct Lump {
   double reach(const Vec3& direction) const;
 };
 
-using Solid = std::variant<Sheet, Box, Ball, Rod, Frustum, Cup, Pot, Bowl, Ellipsoid, Torus, Lump>;
+using Solid = std::variant<Sheet, Box, Ball, Rod, Frustum, Cup, Pot, Bowl, Ellipsoid, Torus, Lump, Cloth, Leaf, Limbs>;
 
 struct Body {
   std::string name;

@@ -202,5 +202,46 @@ TEST(ClutteredTable, IsTheSameForTheSameSeedOnly) {
   EXPECT_NE(std::memcmp(first.depth.data(), other.depth.data(), bytes), 0);
 }
 
+TEST(ShapelessTable, HoldsNoCurvedShapeAndInTimeEveryKindOfThing) {
+  std::map<std::string, int> seen;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    const World world = shapelessTable(static_cast<std::uint64_t>(seed));
+    for (const Surface& surface : world.surfaces()) {
+      EXPECT_TRUE(!surface.primitive || kindOf(surface.shape) == Kind::plane) << seed;
+    }
+    std::set<std::string> names;
+    for (const Body& body : world.bodies()) names.insert(body.name);
+    for (const std::string& name : names) ++seen[name];
+  }
+  for (const char* name : {"box", "ellipsoid", "torus", "lump", "cloth", "cable", "leaf", "hand"}) {
+    EXPECT_GE(seen[name], 5) << name;
+  }
+}
+
+TEST(ShapelessTable, NothingIsBelowTheTableTopOrFarAboveIt) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    const World world = shapelessTable(static_cast<std::uint64_t>(seed));
+    for (const Body& body : world.bodies()) {
+      if (!isThing(body)) continue;
+      const double above = lowestPoint(body) - kTableHeight;
+      // Fingertips are round where a finger's two pieces end; leaves are up to 35 cm high.
+      EXPECT_GT(above, -0.002) << body.name << ", seed " << seed;
+      EXPECT_LT(above, body.name == "leaf" ? 0.35 : 0.03) << body.name << ", seed " << seed;
+    }
+  }
+}
+
+TEST(ShapelessTable, ShowsMoreThanItsTable) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const World world = shapelessTable(seed);
+    Rendering rendering;
+    render(world, kCoarseCamera, clutterPose(seed), rendering);
+    const auto shapeless = std::count_if(rendering.surface.begin(), rendering.surface.end(), [&](int surface) {
+      return surface != kNoSurface && !world.surfaces()[surface].primitive;
+    });
+    EXPECT_GT(shapeless, 0.03 * kCoarseCamera.pixelCount()) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace primitect::synthetic

@@ -23,6 +23,12 @@ const std::vector<Solid> kHollow = {Cup{0.10, 0.07, 0.12, 0.03},    Cup{0.15, 0.
                                     Bowl{0.15, 0.13, -0.05, -0.14}};
 const std::vector<Solid> kShapeless = {Ellipsoid{0.15, 0.1, 0.06}, Torus{0.12, 0.04}, Torus{0.1, 0.09},
                                        Lump{0.12, 0.2, 6.0, 1.0}, Lump{0.12, 0.3, 7.0, 4.0}};
+const Cloth kCloth{0.13, 0.10, 0.02, {{{30.0, 10.0, 0.015, 0.3}, {-20.0, 40.0, 0.01, 1.0}, {5.0, -60.0, 0.004, 2.0}}}};
+const std::vector<Limbs::Limb> kBranches = {{{-0.1, 0.0, 0.0}, {0.0, 0.0, 0.03}, 0.03, 0.02},
+                                            {{0.0, 0.0, 0.03}, {0.1, 0.04, 0.0}, 0.02, 0.015},
+                                            {{0.0, 0.0, 0.03}, {0.06, -0.08, 0.02}, 0.02, 0.02}};
+const std::vector<Solid> kSoft = {kCloth, Leaf{0.13, 0.08, 0.02, 0.05, 0.03}, Leaf{0.1, 0.1, 0.03, -0.03, 0.06},
+                                  joined(kBranches, 0.0)};
 
 /// A random pose with the middle of the solid at 1 m.
 Eigen::Isometry3d posed(const Solid& solid, Random& random) {
@@ -86,6 +92,52 @@ TEST(ShapelessBodies, AreHitWhereWalkingAlongTheRayMeetsThem) {
   for (const Solid& solid : kShapeless) {
     for (int turn = 0; turn < 4; ++turn) expectFirstHits(solid, random);
   }
+}
+
+TEST(SoftBodies, AreHitWhereWalkingAlongTheRayMeetsThem) {
+  Random random(5);
+  for (const Solid& solid : kSoft) {
+    for (int turn = 0; turn < 4; ++turn) expectFirstHits(solid, random);
+  }
+}
+
+/// What the tracer relies on: it must not step through a surface.
+TEST(SoftBodies, TellADistanceThatIsNeverMoreThanThatToASurfacePoint) {
+  Random random(6);
+  for (const Solid& solid : {Solid(kCloth), kSoft[1], kSoft[3], Solid(joined(kBranches, 0.03))}) {
+    const auto distanceTo = [&solid](const Vec3& p) {
+      return std::visit(
+          [&p](const auto& s) {
+            if constexpr (std::is_same_v<decltype(s), const Cloth&> || std::is_same_v<decltype(s), const Leaf&> ||
+                          std::is_same_v<decltype(s), const Limbs&>) {
+              return s.distanceTo(p);
+            } else {
+              return 1e9;
+            }
+          },
+          solid);
+    };
+    const View view = viewOf(solid, random);
+    int seen = 0;
+    for (std::size_t i = 0; i < kSmallCamera.pixelCount(); i += 3) {
+      if (view.rendering.surface[i] == kNoSurface) continue;
+      const Vec3 hit = view.body().world_from_body.inverse() * view.pointAt(i);
+      const Vec3 p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+      // Float depths near 1 m are 6e-8 m apart.
+      ASSERT_LE(distanceTo(p), (p - hit).norm() + 1e-6) << "solid " << solid.index();
+      ASSERT_NEAR(distanceTo(hit), 0.0, 1e-6) << "solid " << solid.index();
+      ++seen;
+    }
+    EXPECT_GT(seen, 50) << "solid " << solid.index();
+  }
+}
+
+TEST(SoftBodies, FlowIntoOneAnotherAtTheirJoints) {
+  const Limbs hard = joined(kBranches, 0.0), soft = joined(kBranches, 0.03);
+  const Vec3 crotch(0.04, -0.012, 0.02);
+  EXPECT_LT(soft.distanceTo(crotch), hard.distanceTo(crotch) - 0.001);
+  const Vec3 at_the_end(-0.13, 0.0, 0.0);
+  EXPECT_NEAR(soft.distanceTo(at_the_end), hard.distanceTo(at_the_end), 1e-12);
 }
 
 TEST(HollowBodies, DepthLiesOnTheShapeOfItsSurfaceAndNormalsPointOutOfTheMaterial) {
@@ -177,11 +229,19 @@ TEST(Truth, SaysWhatIsConcaveAndLeavesOutWhatHasNoShape) {
 
 TEST(World, RefusesHollowBodiesWithoutRoomInside) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Solid> impossible = {
-      Cup{0.1, 0.1, 0.1, 0.01},     Cup{0.1, 0.09, 0.1, 0.2},      Cup{0.1, nan, 0.1, 0.01},
-      Pot{0.3, 0.2, 0.4, 0.2, 0.3}, Pot{0.3, 0.2, 0.4, 0.02, 0.1}, Bowl{0.1, 0.09, 0.095, -0.095},
-      Bowl{0.1, 0.09, 0.0, -0.05},  Ellipsoid{0.1, 0.0, 0.1},      Torus{0.1, 0.1},
-      Lump{0.1, 0.5, 3.0, 0.0}};
+  const std::vector<Solid> impossible = {Cup{0.1, 0.1, 0.1, 0.01},
+                                         Cup{0.1, 0.09, 0.1, 0.2},
+                                         Cup{0.1, nan, 0.1, 0.01},
+                                         Pot{0.3, 0.2, 0.4, 0.2, 0.3},
+                                         Pot{0.3, 0.2, 0.4, 0.02, 0.1},
+                                         Bowl{0.1, 0.09, 0.095, -0.095},
+                                         Bowl{0.1, 0.09, 0.0, -0.05},
+                                         Ellipsoid{0.1, 0.0, 0.1},
+                                         Torus{0.1, 0.1},
+                                         Lump{0.1, 0.5, 3.0, 0.0},
+                                         Leaf{0.1, 0.1, 0.0, 0.0, 0.0},
+                                         Limbs{{}, 0.0, 0.1},
+                                         joined({{Vec3::Zero(), Vec3::Zero(), 0.1, 0.1}}, 0.0)};
   World world;
   for (const Solid& solid : impossible) EXPECT_THROW(world.add("b", solid, kAtOrigin), std::invalid_argument);
   EXPECT_TRUE(world.surfaces().empty());

@@ -43,6 +43,26 @@ struct Contains {
     return (p - on_ring).norm() < t.tube_radius;
   }
   bool operator()(const Lump& l) const { return p.norm() < l.reach(p.normalized()); }
+  bool operator()(const Cloth& c) const {
+    return std::abs(p.x()) < c.half_x && std::abs(p.y()) < c.half_y &&
+           withinSheet(c.heightAt(p.x(), p.y()), c.thickness, c.steepest());
+  }
+  bool operator()(const Leaf& l) const {
+    return std::hypot(p.x() / l.half_x, p.y() / l.half_y) < 1.0 &&
+           withinSheet(l.heightAt(p.x(), p.y()), l.thickness, l.steepest());
+  }
+  /// Without the transitions between limbs, which only add to the body.
+  bool operator()(const Limbs& l) const {
+    return std::any_of(l.limbs.begin(), l.limbs.end(), [this](const Limbs::Limb& limb) {
+      const Vec3 line = limb.to - limb.from;
+      const double along = std::clamp((p - limb.from).dot(line) / line.squaredNorm(), 0.0, 1.0);
+      return (p - limb.from - along * line).norm() < (1.0 - along) * limb.radius_from + along * limb.radius_to;
+    });
+  }
+  /// The thickness is that of the steepest part; elsewhere the sheet is thicker.
+  bool withinSheet(double middle, double thickness, double steepest) const {
+    return std::abs(p.z() - middle) < 0.5 * thickness * std::hypot(1.0, steepest);
+  }
 };
 
 inline bool contains(const Body& body, const Vec3& p_world) {
@@ -86,6 +106,26 @@ struct LowestPoint {
       depth = std::max(depth, -(pose.linear() * d).z() * l.reach(d));
     }
     return pose.translation().z() - depth;
+  }
+  double operator()(const Limbs& limbs) const {
+    double low = 1e9;
+    for (const Limbs::Limb& limb : limbs.limbs) {
+      low = std::min({low, (pose * limb.from).z() - limb.radius_from, (pose * limb.to).z() - limb.radius_to});
+    }
+    return low;
+  }
+  /// Of cloths and leaves by points inside.
+  template <class Sheetlike>
+  double operator()(const Sheetlike& sheet) const {
+    double low = 1e9;
+    for (int x = -100; x <= 100; ++x) {
+      for (int y = -100; y <= 100; ++y) {
+        const Vec3 p(0.01 * x * sheet.half_x, 0.01 * y * sheet.half_y, 0.0);
+        const Vec3 middle(p.x(), p.y(), sheet.heightAt(p.x(), p.y()));
+        if (Contains{middle}(sheet)) low = std::min(low, (pose * middle).z());
+      }
+    }
+    return low;
   }
 };
 

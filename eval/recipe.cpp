@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What sets use and allow; see recipe.h.
+#include "eval/recipe.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace primitect::eval {
+namespace {
+
+bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+void check(bool fine, const std::string& name, double value, const std::string& range) {
+  if (!fine) throw std::invalid_argument(name + " = " + numberText(value) + ": must be in " + range);
+}
+
+void checkUnused(bool used, const Recipe& recipe, const std::string& name, double value, double usual) {
+  if (used || value == usual) return;
+  throw std::invalid_argument(name + " = " + numberText(value) + ": the set " + recipe.set + " does not use it");
+}
+
+}  // namespace
+
+UsedBySet usedBySet(const std::string& set) {
+  const bool on_paper_grid = startsWith(set, "paper-") || startsWith(set, "concave-") || set == "small";
+  return {on_paper_grid || set == "parts", set == "tabletop" || set == "clutter", on_paper_grid};
+}
+
+void checkRecipe(const Recipe& recipe) {
+  const Recipe usual;
+  const UsedBySet used = usedBySet(recipe.set);
+  checkUnused(used.sigma, recipe, "sigma", recipe.sigma, usual.sigma);
+  checkUnused(used.noise_scale, recipe, "noise_scale", recipe.noise_scale, usual.noise_scale);
+  checkUnused(used.outliers, recipe, "outliers", recipe.outliers, usual.outliers);
+  check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
+  check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
+  check(recipe.uneven >= 1.0 && recipe.uneven <= 1000.0, "uneven", recipe.uneven, "1 to 1000");
+}
+
+std::string describe(const Recipe& recipe) {
+  const UsedBySet used = usedBySet(recipe.set);
+  std::string text;
+  const auto add = [&text](bool said, const std::string& what) {
+    if (said) text += (text.empty() ? "" : ", ") + what;
+  };
+  add(used.sigma, "sigma " + numberText(recipe.sigma));
+  add(used.noise_scale, "noise x " + numberText(recipe.noise_scale));
+  add(recipe.outliers != 0.0, "outliers " + numberText(recipe.outliers));
+  add(recipe.keep != 1.0, "keep " + numberText(recipe.keep));
+  add(recipe.uneven != 1.0, "uneven " + numberText(recipe.uneven));
+  add(recipe.shuffle, "shuffled");
+  return text;
+}
+
+}  // namespace primitect::eval

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What a cloud of a data set is made with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace primitect::eval {
+
+/// Values that a set does not use are left at their default.
+struct Recipe {
+  std::string set = "paper-mixed";  ///< one of dataSetNames()
+  std::uint64_t seed = 1;
+  double sigma = 0.01;       ///< m, noise of the paper's sets; of the parts the half width of the uniform noise
+  double noise_scale = 1.0;  ///< times the noise of the simulated depth sensor
+  double outliers = 0.0;     ///< share of points thrown anywhere into the bounding box, [0, 1)
+  double keep = 1.0;         ///< share of the points that is kept, drawn at random, (0, 1]
+  double uneven = 1.0;       ///< from one side of the cloud to the other this many times fewer points, [1, 1000]
+  bool shuffle = false;      ///< in random order, unorganized
+};
+
+/// Which of the values a set uses; every set knows keep, uneven and shuffle.
+struct UsedBySet {
+  bool sigma, noise_scale, outliers;
+};
+UsedBySet usedBySet(const std::string& set);
+
+/// Throws std::invalid_argument for a value out of range and for one that the set does not use, naming set, value and
+/// range. Sigma is checked by the sets that use it.
+void checkRecipe(const Recipe& recipe);
+
+/// "sigma 0.01, outliers 0.3, shuffled": what the set uses, variants only where they were asked for. Without the seed.
+std::string describe(const Recipe& recipe);
+
+}  // namespace primitect::eval

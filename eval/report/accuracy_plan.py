@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What eval/accuracy measures, and what each row of its table must reach."""
+from collections import namedtuple
+
+from report.plan import Experiment, KINDS as PAPER_KINDS, Recipe, WIDE_ANGLE
+from report.kinds import KINDS
+
+REPEAT = 1  # times are told, not compared
+# group: "all" or a kind of shape; targets: Targets
+Row = namedtuple("Row", "section title recipe group targets")
+# least or most: a number; like: title of the row whose figure may be missed by `slack`; ahead: of the best peer
+Target = namedtuple("Target", "measure least most like slack", defaults=(None, None, None, 0.0))
+AHEAD_OF_PEERS = "ahead of peers"
+
+PRECISION, RECALL, DOD, RADIUS, AXIS, HALF_ANGLE, FALSE_CURVED, F1 = (
+    "typed_precision", "typed_recall", "typed_dod", "radius", "axis", "half_angle", "false_curved", "typed_f1")
+PEERS = ("cgal", "cgal-3sigma", "pcl-sac")
+PEER_CLOUDS = 10  # at most, for rows with peers: they are slow, and all are compared on the same clouds
+UNEVEN, UNEVEN_FRAMES = 10.0, 3.0  # a depth frame gets holes, which are all its normals have
+MIXED, TABLES = "mixed", "tables"
+
+
+def precision_and_recall(precision, recall):
+    return (Target(PRECISION, least=precision), Target(RECALL, least=recall))
+
+
+def like(title, slack):
+    """Precision and recall as good as in another row."""
+    return (Target(PRECISION, like=title, slack=slack), Target(RECALL, like=title, slack=slack))
+
+
+def paper_rows():
+    section = "The paper's data set, noise 0.01 m"
+    for kind in PAPER_KINDS:
+        most = 0.10 if kind == "cones" else 0.08
+        yield Row(section, kind, Recipe("paper-" + kind), "all",
+                  precision_and_recall(98.5, 98.5) + (Target(DOD, most=most),))
+    yield Row(section, "mixed, 30 % outliers", Recipe("paper-mixed", outliers=0.3), "all",
+              precision_and_recall(97.0, 95.0))
+
+
+def noise_rows():
+    section = "Mixed scenes with other noise"
+    yield Row(section, "0.005 m", Recipe("paper-mixed", 0.005), "all", like(MIXED, 0.0))
+    for sigma in (0.02, 0.025):
+        yield Row(section, "%g m" % sigma, Recipe("paper-mixed", sigma), "all", (Target(F1, like=AHEAD_OF_PEERS),))
+        yield Row(section, "%g m, normals within %g deg" % (sigma, WIDE_ANGLE),
+                  Recipe("paper-mixed", sigma, angle=WIDE_ANGLE), "all", (Target(F1, like=AHEAD_OF_PEERS),))
+
+
+def small_rows():
+    section = "Small objects, 0.3 to 2 % of the points each"
+    for title, group in [("all kinds", "all")] + [(kind + "s", kind) for kind in KINDS]:
+        yield Row(section, title, Recipe("small"), group, precision_and_recall(97.0, 90.0))
+
+
+def tabletop_rows():
+    section = "Simulated depth frames of cluttered tables"
+    yield Row(section, TABLES, Recipe("tabletop"), "all", precision_and_recall(98.0, 97.0))
+    sizes = {"plane": (), "sphere": (Target(RADIUS, most=0.5),),
+             "cylinder": (Target(RADIUS, most=0.5), Target(AXIS, most=0.5)),
+             "cone": (Target(AXIS, most=0.5), Target(HALF_ANGLE, most=0.5))}
+    for kind in KINDS:
+        yield Row(section, kind + "s on tables", Recipe("tabletop"), kind, (Target(DOD, most=5.0),) + sizes[kind])
+    yield Row(section, "nothing but clutter", Recipe("clutter"), "all", (Target(FALSE_CURVED, most=0.3),))
+
+
+def variant_rows():
+    section = "The same points in another order, or unevenly many"
+    for title, recipe, other in (
+            ("mixed, shuffled", Recipe("paper-mixed", shuffle=True), MIXED),
+            ("mixed, %g times thinner at one side" % UNEVEN, Recipe("paper-mixed", uneven=UNEVEN), MIXED),
+            ("mixed, both", Recipe("paper-mixed", uneven=UNEVEN, shuffle=True), MIXED),
+            ("tables, shuffled", Recipe("tabletop", shuffle=True), TABLES),
+            ("tables, %g times thinner at one side" % UNEVEN_FRAMES, Recipe("tabletop", uneven=UNEVEN_FRAMES), TABLES)):
+        yield Row(section, title, recipe, "all", like(other, 1.0))
+
+
+def rows():
+    """All rows in the order of the table."""
+    return [row for make in (paper_rows, noise_rows, small_rows, tabletop_rows, variant_rows) for row in make()]
+
+
+def sets():
+    """Names of the data sets of the rows, for --only."""
+    return sorted({row.recipe.set for row in rows()})
+
+
+def seeded(method, seed):
+    """The text of a method of ours that draws with this seed, named after both: "default-seed-2=preset:default,seed=2"
+    from "default" or from "NAME=preset:PRESET,parameter=value,..."."""
+    name, _, settings = method.partition("=")
+    return "%s-seed-%d=%s,seed=%d" % (name, seed, settings or "preset:" + name, seed)
+
+
+def wants_peers(row):
+    return any(target.like == AHEAD_OF_PEERS for target in row.targets)
+
+
+def experiments(methods, clouds, peers, only=None):
+    """One experiment for each recipe: the truth and all methods, and those of the peers that were built where a target
+    asks for them."""
+    result = {}
+    for row in rows():
+        if only and row.recipe.set not in only:
+            continue
+        compared = [peer for peer in PEERS if peer in peers and wants_peers(row)]
+        names = ("truth", *methods, *compared)
+        count = min(clouds, PEER_CLOUDS) if wants_peers(row) else clouds
+        result[row.recipe] = Experiment("accuracy", row.recipe, dict.fromkeys(names, count), REPEAT)
+    return list(result.values())

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Can one believe what a detection says of itself? Confidence against the share that is right, errors against the
+covariance."""
+from collections import namedtuple
+
+from report.kinds import KINDS
+from report.tables import Table, cell
+
+BINS = 10
+# count of detections, their mean confidence, the share of them that is right (both in [0, 1], None without any)
+Bin = namedtuple("Bin", "count confidence right")
+PARTS = ("total", "origin", "axis", "radius", "half_angle")  # see eval/nees.h
+CALIBRATED = (0.8, 1.2)
+FRAMES = ("tabletop", "clutter")  # sets of depth frames: noise of neighbours is alike there
+SCENES = "scenes"
+
+
+def detections(lines):
+    """All detections of some clouds."""
+    return [found for line in lines for found in line.get("detections", ())]
+
+
+def reliability(lines):
+    """BINS bins of equal width over the confidence; detections of what need not be found do not count."""
+    sums = [[0, 0.0, 0] for _ in range(BINS)]
+    for found in detections(lines):
+        if "confidence" not in found or found["verdict"] == "no matter":
+            continue
+        one = sums[min(int(found["confidence"] * BINS), BINS - 1)]
+        one[0] += 1
+        one[1] += found["confidence"]
+        one[2] += found["verdict"] == "right"
+    return [Bin(n, total / n if n else None, right / n if n else None) for n, total, right in sums]
+
+
+def calibration_error(bins):
+    """Expected calibration error: the mean distance of confidence and share right, weighted by the counts; None without
+    detections."""
+    count = sum(one.count for one in bins)
+    return sum(one.count * abs(one.confidence - one.right) for one in bins if one.count) / count if count else None
+
+
+def normalised_error(lines, kind, part):
+    """Mean normalised squared error of the right detections of a kind over its degrees of freedom (1 when covariances
+    are right), and of how many detections; None without any."""
+    errors = [found["nees"][part] for found in detections(lines)
+              if found["kind"] == kind and part in found.get("nees", {}) and None not in found["nees"][part]]
+    degrees = sum(degree for _, degree in errors)
+    return (sum(value for value, _ in errors) / degrees if degrees else None), len(errors)
+
+
+def groups(lines):
+    """Lines of the paper-like scenes and of depth frames, by name."""
+    chosen = {SCENES: [line for line in lines if line["set"] not in FRAMES],
+              "depth frames": [line for line in lines if line["set"] in FRAMES]}
+    return {name: some for name, some in chosen.items() if detections(some)}
+
+
+def reliability_table(lines):
+    """A row for each group and bin."""
+    rows = []
+    for name, some in groups(lines).items():
+        bins = reliability(some)
+        error = calibration_error(bins)
+        if error is None:
+            continue
+        rows.append(("%s: expected calibration error %.3f" % (name, error), None))
+        rows += [("%.1f to %.1f" % (k / BINS, (k + 1) / BINS),
+                  [cell(one.count, 0), cell(one.confidence, 3), cell(one.right, 3)]) for k, one in enumerate(bins)]
+    return Table("reliability", "Confidence",
+                 "Detections of what need not be found do not count. Right: of the right type, and it and the true "
+                 "shape share 60 % of the points of both.",
+                 [("", 3)], ["detections", "mean confidence", "share right"], rows)
+
+
+def nees_table(lines):
+    """A row for each group and kind."""
+    rows = []
+    for name, some in groups(lines).items():
+        kinds = [(kind, [normalised_error(some, kind, part) for part in PARTS]) for kind in KINDS]
+        kinds = [(kind, figures) for kind, figures in kinds if any(count for _, count in figures)]
+        if kinds:
+            rows.append((name, None))
+        for kind, figures in kinds:
+            total = figures[0][0]
+            reached = "–" if total is None else "yes" if CALIBRATED[0] <= total <= CALIBRATED[1] else "no"
+            rows.append((kind + "s", [cell(max(count for _, count in figures), 0)]
+                         + [cell(value, 2) for value, _ in figures] + [cell(reached)]))
+    return Table("nees", "Covariance",
+                 "Mean normalised squared error of right detections over its degrees of freedom: 1 when the covariance "
+                 "is right, larger when it promises too much. Total: over all parameters of the kind. Target: 0.8 to "
+                 "1.2.",
+                 [("", 7)], ["detections", "total", "origin", "axis", "radius", "half angle", "reached"], rows)

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plots of what detections say of themselves: reliability diagram, normalised errors by kind."""
+import os
+
+from matplotlib.patches import Patch
+
+from report import figures, trust
+from report.kinds import KINDS
+
+COLOURS = {"total": "#0b62b8", "origin": "#7fb3e6", "axis": "#e8820c", "radius": "#1b8a5a", "half_angle": "#8e4ab8"}
+
+
+def reliability(lines, folder):
+    """A diagram for each group: the share right over the confidence, and below how many. None without confidences."""
+    chosen = {name: trust.reliability(some) for name, some in trust.groups(lines).items()}
+    chosen = {name: bins for name, bins in chosen.items() if trust.calibration_error(bins) is not None}
+    if not chosen:
+        return None
+    figure, axes = figures.panels(2, len(chosen), 5.6, gridspec_kw={"height_ratios": (3, 1)}, sharex=True)
+    for column, (name, bins) in enumerate(chosen.items()):
+        top, bottom = axes[0][column], axes[1][column]
+        top.plot((0, 1), (0, 1), ":", color="#222222", label="as it should be")
+        some = [one for one in bins if one.count]
+        top.plot([one.confidence for one in some], [one.right for one in some], "o-", color="#0b62b8",
+                 label="share that is right")
+        top.set_title("%s: expected calibration error %.3f" % (name, trust.calibration_error(bins)))
+        top.set_ylim(-0.03, 1.03)
+        bottom.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)], [one.count for one in bins],
+                   0.9 / trust.BINS, color="#a9a9a9")
+        bottom.set_xlim(0, 1)
+        bottom.set_yscale("symlog")
+        bottom.set_xlabel("confidence")
+    axes[0][0].set_ylabel("share right")
+    axes[1][0].set_ylabel("detections")
+    return figures.finish(figure, "Confidence of detections", os.path.join(folder, "reliability.png"))
+
+
+def normalised_errors(lines, folder):
+    """Bars by kind and part, 1 where the covariance is right. None without covariances."""
+    chosen = {name: {(kind, part): trust.normalised_error(some, kind, part) for kind in KINDS for part in trust.PARTS}
+              for name, some in trust.groups(lines).items()}
+    chosen = {name: errors for name, errors in chosen.items() if any(count for _, count in errors.values())}
+    if not chosen:
+        return None
+    figure, axes = figures.panels(1, len(chosen), 4.2, sharey=True)
+    width = 0.16
+    for one, (name, errors) in zip(axes[0], chosen.items()):
+        one.axhspan(*trust.CALIBRATED, color="#dff0df")
+        one.axhline(1.0, color="#222222", linewidth=1, linestyle=":")
+        for place, kind in enumerate(KINDS):
+            for index, part in enumerate(trust.PARTS):
+                value, _ = errors[kind, part]
+                if value is not None:
+                    one.bar(place + (index - 2) * width, value, 0.92 * width, color=COLOURS[part])
+        counts = [max(errors[kind, part][1] for part in trust.PARTS) for kind in KINDS]
+        one.set_xticks(range(len(KINDS)), ["%ss\n%d" % pair for pair in zip(KINDS, counts)])
+        one.set_yscale("log")
+        low, high = one.get_ylim()
+        one.set_ylim(min(low, 0.3), max(high, 3.3))  # at least a decade, or nearly equal values look far apart
+        figures.plain_log(one.yaxis, short=True)
+        one.grid(False, axis="x")
+        one.set_title(name)
+    axes[0][0].set_ylabel("mean squared error / degrees")
+    handles = [Patch(color=COLOURS[part], label=part.replace("_", " ")) for part in trust.PARTS]
+    return figures.finish(figure, "Errors over what the covariance promises",
+                          os.path.join(folder, "nees.png"), (handles, [handle.get_label() for handle in handles]),
+                          note="Green: within 20 % of 1. Below the kinds: detections.")

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Points dropped or put in another order at random; see variants.h.
+#include "eval/variants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/random.h"
+
+namespace primitect::eval {
+namespace {
+
+/// The cloud's points with these indices, in this order.
+void keepOnly(const std::vector<std::size_t>& kept, Cloud& cloud) {
+  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z, &cloud.nx, &cloud.ny, &cloud.nz}) {
+    if (values->empty()) continue;
+    std::vector<float> chosen;
+    chosen.reserve(kept.size());
+    for (const std::size_t i : kept) chosen.push_back((*values)[i]);
+    *values = std::move(chosen);
+  }
+  cloud.width = static_cast<std::uint32_t>(kept.size());
+  cloud.height = 1;
+}
+
+/// Where each point is between one side of the cloud (0) and the other (1), along a horizontal direction.
+std::vector<double> placesAcross(const Cloud& cloud, double heading) {
+  std::vector<double> places(cloud.size(), 0.0);
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!cloud.valid(i)) continue;
+    places[i] = cloud.x[i] * std::cos(heading) + cloud.y[i] * std::sin(heading);
+    least = std::min(least, places[i]);
+    most = std::max(most, places[i]);
+  }
+  for (double& place : places) place = most > least ? (place - least) / (most - least) : 0.0;
+  return places;
+}
+
+}  // namespace
+
+void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed) {
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  constexpr double kFullTurn = 6.283185307179586;
+  // Other numbers than those that made the scene.
+  Random random(seed ^ 0x7468696eU), heading(seed ^ 0x756e6576U);
+  const std::vector<double> places = placesAcross(cloud, heading.uniform(0.0, kFullTurn));
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (random.uniform() < keep * std::pow(uneven, -places[i])) {
+      kept.push_back(i);
+      continue;
+    }
+    cloud.valid_count -= cloud.valid(i) ? 1 : 0;
+    cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
+  }
+  if (!cloud.organized()) keepOnly(kept, cloud);
+}
+
+void shufflePoints(Cloud& cloud, std::uint64_t seed) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.valid(i)) order.push_back(i);
+  }
+  Random random(seed ^ 0x73687566U);
+  for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random.below(left)]);
+  keepOnly(order, cloud);
+}
+
+}  // namespace primitect::eval

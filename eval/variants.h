@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The same scene with fewer points, unevenly many, or in another order.
+#pragma once
+
+#include <cstdint>
+
+#include "primitect/cloud.h"
+
+namespace primitect::eval {
+
+/// Takes points out of an unorganized cloud; those of an organized cloud go missing. A share of `keep` is left at one
+/// side of the cloud, and less and less towards the other: `uneven` times fewer there, falling exponentially along a
+/// direction across z that the seed chooses. Normals stay those of all points: what is looked at is the sampling.
+void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed);
+
+/// Points in random order, without the missing ones and without rows.
+void shufflePoints(Cloud& cloud, std::uint64_t seed);
+
+}  // namespace primitect::eval
