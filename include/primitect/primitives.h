@@ -7,8 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
+
+#include "primitect/evidence.h"
 
 namespace primitect {
 
@@ -98,7 +101,7 @@ struct Detection {
   Shape shape;
   Extent extent;
   float votes = 0.0f;                  ///< weight of all votes that were merged into it
-  std::uint32_t inlier_count = 0;      ///< samples assigned to it
+  std::uint32_t inlier_count = 0;      ///< points of the cloud on its observed part; not verified: samples
   float rms_error = kUnknown;          ///< of the inliers' distances (m)
   float confidence = kUnknown;         ///< [0, 1]
   float coverage = kUnknown;           ///< observed share of the full turn or area, [0, 1]
@@ -108,6 +111,9 @@ struct Detection {
   std::array<double, 36> covariance = {-1.0};
   bool concave = false;
   std::uint8_t truncated = kTruncationUnknown;
+  /// The other kind that would explain the same samples nearly as well.
+  std::optional<Kind> rival;
+  Evidence evidence;           ///< behind confidence; of verified detections
   std::uint32_t track_id = 0;  ///< 0 = untracked
   std::uint32_t age = 0;       ///< frames since the track was first seen
 };
@@ -118,6 +124,24 @@ enum class Status : std::uint8_t { ok = 0, empty_input = 1, too_few_points = 2, 
 /// "ok", "empty_input", ...
 const char* statusName(Status status);
 
+/// Why shapes that were tried did not come out.
+enum class Refusal : std::uint8_t {
+  few_inliers,  ///< fewer than min_inliers samples around a candidate fit
+  limits,       ///< a fit broke a limit: radius, half angle
+  unlikely,     ///< less than min_confidence
+};
+constexpr std::size_t kRefusalCount = 3;
+
+/// "few inliers", ...
+const char* refusalName(Refusal refusal);
+
+/// How often each; one candidate may count several times.
+struct Refusals {
+  std::array<std::uint32_t, kRefusalCount> counts = {};
+  std::uint32_t& operator[](Refusal refusal) { return counts[static_cast<std::size_t>(refusal)]; }
+  std::uint32_t operator[](Refusal refusal) const { return counts[static_cast<std::size_t>(refusal)]; }
+};
+
 /// All that was found in one frame.
 struct Detections {
   std::vector<Detection> items;
@@ -126,6 +150,7 @@ struct Detections {
   std::uint32_t points_used = 0;  ///< of these, measured and within the depth range
   std::uint32_t samples = 0;      ///< points that voted
   double scene_diameter = 0.0;    ///< d_s of the paper (m)
+  Refusals refusals;
 };
 
 }  // namespace primitect

@@ -13,6 +13,7 @@ struct Candidate {
   Vec3 point = Vec3::Zero();    ///< the reference that proposed it
   Vec3 normal = Vec3::UnitZ();  ///< of the reference
   double votes = 0.0;           ///< of all proposals merged into it
+  std::uint32_t sample = 0;     ///< index of the reference among the samples
   int proposals = 1;            ///< how many references proposed it
 };
 

@@ -17,10 +17,11 @@ namespace primitect {
 struct SampleSet {
   const Samples& samples;
   const std::vector<std::uint32_t>& indices;
+  double side = 1.0;  ///< -1: seen from inside, the normals are turned round to point out of the shape
 
   std::size_t size() const { return indices.size(); }
   Vec3 point(std::size_t k) const { return samples.point(indices[k]); }
-  Vec3 normal(std::size_t k) const { return samples.normal(indices[k]); }
+  Vec3 normal(std::size_t k) const { return side * samples.normal(indices[k]); }
 };
 
 /// Shape of this kind from moments of points p and normals n, without iteration:
@@ -32,8 +33,9 @@ struct SampleSet {
 std::optional<Shape> fitFromMoments(Kind kind, const SampleSet& set);
 
 /// The shape with least sum of Tukey's biweight of geometric distances, by Gauss-Newton from the given start; points
-/// beyond tolerance(p) (m) have no influence. Nothing when it does not end in a finite shape.
+/// beyond tolerance(p) (m) have no influence. It ends when a step (m, rad) is small. Nothing when it does not end in a
+/// finite shape.
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
-                            const std::function<double(const Vec3&)>& tolerance);
+                            const std::function<double(const Vec3&)>& tolerance, double small_step = 1e-7);
 
 }  // namespace primitect

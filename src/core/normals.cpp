@@ -29,14 +29,15 @@ Window windowAround(const Cloud& cloud, std::uint32_t pixel, int half_width) {
 /// Plane a x + b y + c z = 1 as inverse depth over the ray: 1/z = a u + b v + c with u = x/z, v = y/z.
 struct InverseDepthFit {
   Vec3 plane = Vec3::Zero();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< inverse of the normal equations
   int used = 0;
 };
 
 /// One least-squares pass over the pixels that `belongs` accepts; used = 0 when they do not determine a plane.
 template <class Belongs>
-InverseDepthFit fitWindow(const Cloud& cloud, const Window& window, std::uint32_t center, const Belongs& belongs) {
-  const double center_u = cloud.x[center] / cloud.z[center];
-  const double center_v = cloud.y[center] / cloud.z[center];
+InverseDepthFit fitWindow(const Cloud& cloud, const Window& window, const Vec3& center, const Belongs& belongs) {
+  const double center_u = center.x() / center.z();
+  const double center_v = center.y() / center.z();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
   InverseDepthFit fit;
@@ -55,8 +56,16 @@ InverseDepthFit fitWindow(const Cloud& cloud, const Window& window, std::uint32_
   const Vec3 pivots = solver.vectorD();
   if (fit.used < 3 || !(pivots.minCoeff() > 1e-12 * pivots.maxCoeff())) return {};
   fit.plane = solver.solve(right);
+  fit.spread = solver.solve(Eigen::Matrix3d::Identity());
   fit.plane.z() -= fit.plane.x() * center_u + fit.plane.y() * center_v;
   return fit;
+}
+
+/// Standard deviation of the direction of (a, b, c) about each axis (rad), of this noise of the inverse depth.
+double directionNoise(const InverseDepthFit& fit, double inverse_depth_noise) {
+  // a and b turn the plane; c is known much better.
+  const double variance = 0.5 * (fit.spread(0, 0) + fit.spread(1, 1));
+  return inverse_depth_noise * std::sqrt(variance) / fit.plane.norm();
 }
 
 void orientTowardsSensor(const Vec3& point, Vec3& normal) {
@@ -78,11 +87,18 @@ void takeCloudNormals(const Cloud& cloud, bool orient, Samples& samples) {
   }
 }
 
+/// The image window needs depth along z, as in an optical frame.
+bool allInFront(const Cloud& cloud) {
+  return std::none_of(cloud.z.begin(), cloud.z.end(), [](float z) { return z <= 0.0f; });
+}
+
 bool anyNormal(const Samples& samples) {
   return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
 }
 
-void fitWindows(const Cloud& cloud, int window_at_one_meter, Samples& samples) {
+/// pixel: of every point of the cloud that the samples are from.
+template <class PixelOf>
+void fitWindows(const Cloud& image, const PixelOf& pixel, int window_at_one_meter, Samples& samples) {
   constexpr int kSmallestWindow = 3;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
@@ -91,10 +107,18 @@ void fitWindows(const Cloud& cloud, int window_at_one_meter, Samples& samples) {
         std::clamp(static_cast<double>(window_at_one_meter) / samples.z[i],
                    static_cast<double>(std::min(kSmallestWindow, window_at_one_meter)), static_cast<double>(largest));
     const int half_width = static_cast<int>(std::lround(wanted));
-    if (const std::optional<Vec3> normal = windowNormal(cloud, samples.index[i], half_width)) {
-      store(*normal, i, samples);
+    if (const std::optional<WindowNormal> normal =
+            windowNormal(image, pixel(samples.index[i]), samples.point(i), half_width)) {
+      store(normal->direction, i, samples);
+      samples.normal_sigma[i] = static_cast<float>(normal->sigma);
     }
   }
+}
+
+/// To the side of the given normal, or where there is none (0) towards the sensor.
+void orient(Vec3& normal, const Vec3& point, const Vec3& given) {
+  if (given.isZero()) return orientTowardsSensor(point, normal);
+  if (normal.dot(given) < 0.0) normal = -normal;
 }
 
 void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Samples& samples) {
@@ -103,39 +127,44 @@ void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Sam
     search.nearest(cloud, samples.index[i], count, neighbors);
     std::optional<Vec3> normal = planeNormal(cloud, neighbors);
     if (!normal) continue;
-    orientTowardsSensor(samples.point(i), *normal);
+    orient(*normal, samples.point(i), samples.hasNormal(i) ? samples.normal(i) : Vec3(Vec3::Zero()));
     store(*normal, i, samples);
   }
 }
 
 }  // namespace
 
-std::optional<Vec3> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width) {
+std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width) {
+  return windowNormal(cloud, pixel, Vec3(cloud.x[pixel], cloud.y[pixel], cloud.z[pixel]), half_width);
+}
+
+std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, const Vec3& center, int half_width) {
   constexpr double kLargestJump = 0.04;    // of the depth: more is another surface, at any slope that can be fitted
   constexpr double kSmallestShare = 0.25;  // of the window, on the centre's surface
   constexpr double kTolerance = 3.0;       // standard deviations
   constexpr int kRobustPasses = 2;
-  const double depth = cloud.z[pixel];
+  const double depth = center.z();
   if (!(depth > 0.0)) return std::nullopt;
   const Window window = windowAround(cloud, pixel, half_width);
   const int needed = std::max(6, static_cast<int>(kSmallestShare * (2 * half_width + 1) * (2 * half_width + 1)));
 
   // The start comes from the inner window, where a step nearby has less of a say.
-  InverseDepthFit fit = fitWindow(cloud, windowAround(cloud, pixel, (half_width + 1) / 2), pixel,
+  InverseDepthFit fit = fitWindow(cloud, windowAround(cloud, pixel, (half_width + 1) / 2), center,
                                   [&](std::size_t i) { return std::abs(cloud.z[i] - depth) < kLargestJump * depth; });
   constexpr int kFewestAtStart = 6;
   if (fit.used < kFewestAtStart) return std::nullopt;
   const double tolerance = kTolerance * axialNoise(depth);
   for (int pass = 0; pass < kRobustPasses && fit.used > 0; ++pass) {
     const Vec3 plane = fit.plane;
-    fit = fitWindow(cloud, window, pixel, [&](std::size_t i) {
+    fit = fitWindow(cloud, window, center, [&](std::size_t i) {
       const double inverse_depth = plane.dot(Vec3(cloud.x[i], cloud.y[i], cloud.z[i])) / cloud.z[i];
       return std::abs(1.0 / inverse_depth - cloud.z[i]) < tolerance;
     });
   }
-  const double center_error = 1.0 / (fit.plane.dot(Vec3(cloud.x[pixel], cloud.y[pixel], depth)) / depth) - depth;
+  const double center_error = 1.0 / (fit.plane.dot(center) / depth) - depth;
   if (fit.used < needed || !(std::abs(center_error) < tolerance)) return std::nullopt;
-  return Vec3(-fit.plane.normalized());
+  const double noise = directionNoise(fit, axialNoise(depth) / (depth * depth));
+  return WindowNormal{-fit.plane.normalized(), noise};
 }
 
 std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint32_t>& points) {
@@ -157,18 +186,51 @@ std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint3
   return Vec3(solver.eigenvectors().col(0));
 }
 
-void estimateNormals(const Cloud& cloud, const Params& params, std::unique_ptr<NeighborSearch>& neighbors,
-                     Samples& samples) {
+bool seenByDepthCamera(const Cloud& cloud, NormalSource& source) {
+  const bool brings_normals = cloud.hasNormals();
+  if (!cloud.organized() && !brings_normals && !source.image_tried) source.image = projectedImage(cloud);
+  source.image_tried = true;
+  return source.image.has_value() || (cloud.organized() && allInFront(cloud));
+}
+
+int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, double wanted, NormalSource& source) {
+  constexpr std::size_t kLookedAt = 64;
+  constexpr int kNearest = 11;
+  constexpr double kFewest = 12.0, kMost = 300.0;
+  if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
+  std::vector<double> radii;
+  std::vector<std::uint32_t> nearest;
+  for (std::size_t i = 0; i < samples.size(); i += samples.size() / kLookedAt + 1) {
+    source.neighbors->nearest(cloud, samples.index[i], kNearest, nearest);
+    double radius = 0.0;
+    for (const std::uint32_t k : nearest) {
+      radius = std::max(radius, (Vec3(cloud.x[k], cloud.y[k], cloud.z[k]) - samples.point(i)).norm());
+    }
+    radii.push_back(radius);
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  const double spacing = *middle * std::sqrt(M_PI / kNearest);
+  return static_cast<int>(std::clamp(2.0 * std::sqrt(M_PI) * sigma / (spacing * wanted), kFewest, kMost));
+}
+
+void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples) {
   if (params.use_cloud_normals && cloud.hasNormals()) {
     takeCloudNormals(cloud, params.orient_normals, samples);
     // Fields that are there but hold zeros or NaN throughout are as good as none.
-    if (anyNormal(samples)) return;
+    if (anyNormal(samples) && source.neighbor_count <= 0) return;
   }
-  // The image window needs depth along z, as in an optical frame.
-  const bool in_front = std::all_of(samples.z.begin(), samples.z.end(), [](float z) { return z > 0.0f; });
-  if (cloud.organized() && in_front) return fitWindows(cloud, params.normal_window, samples);
-  if (!neighbors) neighbors = std::make_unique<NeighborSearch>(cloud);
-  fitNeighborhoods(cloud, params.normal_neighbors, *neighbors, samples);
+  const bool from_image = source.neighbor_count <= 0 && seenByDepthCamera(cloud, source);
+  if (from_image && source.image) {
+    const auto pixel = [&](std::uint32_t point) { return source.image->pixel[point]; };
+    return fitWindows(source.image->image, pixel, params.normal_window, samples);
+  }
+  if (from_image)
+    return fitWindows(
+        cloud, [](std::uint32_t point) { return point; }, params.normal_window, samples);
+  if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
+  const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;
+  fitNeighborhoods(cloud, count, *source.neighbors, samples);
 }
 
 }  // namespace primitect

@@ -8,22 +8,48 @@
 #include <vector>
 
 #include "core/neighbors.h"
+#include "core/projected_image.h"
 #include "core/samples.h"
 #include "primitect/cloud.h"
 #include "primitect/params.h"
 
 namespace primitect {
 
-/// Fills the normals of the samples, from the cloud where it brings any that are usable. The tree of neighbours is
-/// built when it is needed and not there yet. Estimated normals point towards the sensor; where none can be had it
-/// stays missing, and that sample does not vote.
-void estimateNormals(const Cloud& cloud, const Params& params, std::unique_ptr<NeighborSearch>& neighbors,
-                     Samples& samples);
+/// What normals are measured with, made when it is needed and kept for the frame.
+struct NormalSource {
+  std::unique_ptr<NeighborSearch> neighbors;
+  std::optional<ProjectedImage> image;
+  bool image_tried = false;
+  int neighbor_count = 0;  ///< above 0: measured from so many neighbours even where the cloud brings normals
+
+  void reset() { *this = {}; }
+};
+
+/// The cloud is, or was before a filter took its order, the image of a depth camera at the origin.
+bool seenByDepthCamera(const Cloud& cloud, NormalSource& source);
+
+/// How many neighbours make a normal this good (rad, about each axis) of points with this noise (m): the slope of a
+/// plane through k points, evenly spread around at this mean distance d of neighbours, has the deviation 2 sqrt(pi)
+/// sigma / (k d).
+int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, double wanted, NormalSource& source);
+
+/// Fills the normals of the samples: from the cloud where it brings any that are usable, else from the image window,
+/// else from the nearest neighbours. Measured normals point towards the sensor; with source.neighbor_count to the side
+/// of those that the cloud brings. Where none can be had it stays missing, and that sample does not vote.
+void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
+
+struct WindowNormal {
+  Vec3 direction;
+  double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
+};
 
 /// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
 /// (2 half_width + 1)^2 pixels. In these coordinates a plane is linear and the noise of a depth camera even.
 /// Nothing when too few pixels of the window lie on one surface with the centre. Needs z > 0.
-std::optional<Vec3> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width);
+std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width);
+
+/// The same at a point that falls into this pixel, whichever point the image holds there.
+std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width);
 
 /// Normal of the plane through the points (least squares), sign not known; nothing when they do not span a plane.
 std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint32_t>& points);

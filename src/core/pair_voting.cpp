@@ -114,7 +114,10 @@ void PairVoting::vote(const Samples& samples, double scene_diameter, std::vector
     accumulators_.clear();
     const kernels::Reference reference = referenceAt(samples, i);
     kernels::vote(reference, samples.view(), rules, bins);
-    if (const std::optional<Candidate> candidate = strongest(reference)) candidates.push_back(*candidate);
+    if (std::optional<Candidate> candidate = strongest(reference)) {
+      candidate->sample = static_cast<std::uint32_t>(i);
+      candidates.push_back(*candidate);
+    }
   }
 }
 

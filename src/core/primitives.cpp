@@ -50,6 +50,11 @@ const char* statusName(Status status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
+const char* refusalName(Refusal refusal) {
+  constexpr const char* kNames[] = {"few inliers", "limits", "unlikely"};
+  return kNames[static_cast<std::size_t>(refusal)];
+}
+
 double distance(const Plane& plane, const Vec3& p) { return plane.normal.dot(p - plane.point); }
 
 double distance(const Sphere& sphere, const Vec3& p) { return (p - sphere.center).norm() - sphere.radius; }

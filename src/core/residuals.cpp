@@ -10,11 +10,10 @@ namespace primitect {
 
 Turn::Turn(const Vec3& axis) : first(axis.unitOrthogonal()), second(axis.cross(first)) {}
 
-Residual residual(const Plane& plane, const Vec3& p) {
-  const Turn turn(plane.normal);
-  const Vec3 q = p - plane.point;
-  Residual r{distance(plane, p), Gradient::Zero()};
-  r.gradient.head<3>() << q.dot(turn.first), q.dot(turn.second), -1.0;
+Residual PlaneResiduals::operator()(const Vec3& p) const {
+  const Vec3 q = p - plane_.point;
+  Residual r{q.dot(plane_.normal), Gradient::Zero()};
+  r.gradient.head<3>() << q.dot(turn_.first), q.dot(turn_.second), -1.0;
   return r;
 }
 Plane stepped(const Plane& plane, const Gradient& step) {
@@ -22,9 +21,11 @@ Plane stepped(const Plane& plane, const Gradient& step) {
   return {plane.point + step[2] * plane.normal, turn.turned(plane.normal, step[0], step[1])};
 }
 
-Residual residual(const Sphere& sphere, const Vec3& p) {
-  Residual r{distance(sphere, p), Gradient::Zero()};
-  r.gradient.head<3>() = -normalAt(sphere, p);
+Residual SphereResiduals::operator()(const Vec3& p) const {
+  const Vec3 q = p - sphere_.center;
+  const double away = q.norm();
+  Residual r{away - sphere_.radius, Gradient::Zero()};
+  r.gradient.head<3>() = away > 0.0 ? Vec3(-q / away) : Vec3(-Vec3::UnitZ());
   r.gradient[3] = -1.0;
   return r;
 }
@@ -32,12 +33,14 @@ Sphere stepped(const Sphere& sphere, const Gradient& step) {
   return {sphere.center + step.head<3>(), sphere.radius + step[3]};
 }
 
-Residual residual(const Cylinder& cylinder, const Vec3& p) {
-  const Turn turn(cylinder.axis);
-  const Vec3 out = normalAt(cylinder, p);
-  const double height = (p - cylinder.point).dot(cylinder.axis);
-  const double first = out.dot(turn.first), second = out.dot(turn.second);
-  Residual r{distance(cylinder, p), Gradient::Zero()};
+Residual CylinderResiduals::operator()(const Vec3& p) const {
+  const Vec3 q = p - cylinder_.point;
+  const double height = q.dot(cylinder_.axis);
+  double first = q.dot(turn_.first), second = q.dot(turn_.second);
+  const double away = std::sqrt(first * first + second * second);
+  first = away > 0.0 ? first / away : 1.0;
+  second = away > 0.0 ? second / away : 0.0;
+  Residual r{away - cylinder_.radius, Gradient::Zero()};
   r.gradient.head<5>() << -first, -second, -height * first, -height * second, -1.0;
   return r;
 }
@@ -47,28 +50,35 @@ Cylinder stepped(const Cylinder& cylinder, const Gradient& step) {
           cylinder.radius + step[4]};
 }
 
-Residual residual(const Cone& cone, const Vec3& p) {
-  const Turn turn(cone.axis);
-  const Vec3 q = p - cone.apex;
-  const double height = q.dot(cone.axis);
-  const Vec3 across = q - height * cone.axis;
-  const double radius = across.norm();
-  const double sine = std::sin(cone.half_angle), cosine = std::cos(cone.half_angle);
+Residual ConeResiduals::operator()(const Vec3& p) const {
+  const Vec3 q = p - cone_.apex;
+  const double height = q.dot(cone_.axis);
+  double first = q.dot(turn_.first), second = q.dot(turn_.second);
+  const double radius = std::sqrt(first * first + second * second);
+  first = radius > 0.0 ? first / radius : 1.0;
+  second = radius > 0.0 ? second / radius : 0.0;
   // Along the slant from the apex to the foot point.
-  const double slant = height * cosine + radius * sine;
-  const Vec3 out = radius > 0.0 ? Vec3(across / radius) : turn.first;
-  Residual r{radius * cosine - height * sine, Gradient::Zero()};
-  r.gradient.head<3>() = -(cosine * out - sine * cone.axis);
-  r.gradient.tail<3>() << -out.dot(turn.first) * slant, -out.dot(turn.second) * slant, -slant;
+  const double slant = height * cosine_ + radius * sine_;
+  Residual r{radius * cosine_ - height * sine_, Gradient::Zero()};
+  r.gradient.head<3>() = sine_ * cone_.axis - cosine_ * (first * turn_.first + second * turn_.second);
+  r.gradient.tail<3>() << -first * slant, -second * slant, -slant;
   return r;
 }
 Cone stepped(const Cone& cone, const Gradient& step) {
   const Turn turn(cone.axis);
-  return {cone.apex + step.head<3>(), turn.turned(cone.axis, step[3], step[4]), cone.half_angle + step[5]};
+  const double half_angle = cone.half_angle + step[5];
+  const double along = step.head<3>().dot(cone.axis);
+  // The circle that stays where it is by the linear step does so exactly: the apex of a slender cone is far away, and
+  // not linear in the angle.
+  const double wanted = std::abs(step[5]) > 1e-9
+                            ? along * std::sin(cone.half_angle) * std::sin(step[5]) / (step[5] * std::sin(half_angle))
+                            : along;
+  const Vec3 apex = cone.apex + step.head<3>() + (wanted - along) * cone.axis;
+  return {apex, turn.turned(cone.axis, step[3], step[4]), half_angle};
 }
 
 Residual residual(const Shape& shape, const Vec3& p) {
-  return std::visit([&p](const auto& s) { return residual(s, p); }, shape);
+  return std::visit([&p](const auto& s) { return residualsOf(s)(p); }, shape);
 }
 
 }  // namespace primitect

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "primitect/primitives.h"
 
@@ -22,16 +23,62 @@ using Hessian = Eigen::Matrix<double, kMostParameters, kMostParameters>;
 /// How many of them a kind has: 3, 4, 5, 6.
 constexpr int parameterCount(Kind kind) { return 3 + static_cast<int>(kind); }
 
+/// The two directions across a unit vector along which it turns.
+struct Turn {
+  Vec3 first, second;
+  explicit Turn(const Vec3& axis);
+  Vec3 turned(const Vec3& axis, double a, double b) const { return (axis + a * first + b * second).normalized(); }
+};
+
 /// Signed distance of a point (m) and its derivative by the local parameters.
 struct Residual {
   double distance;
   Gradient gradient;
 };
 
-Residual residual(const Plane& plane, const Vec3& p);
-Residual residual(const Sphere& sphere, const Vec3& p);
-Residual residual(const Cylinder& cylinder, const Vec3& p);
-Residual residual(const Cone& cone, const Vec3& p);
+/// Residuals of many points by one shape: what they share is worked out once.
+class PlaneResiduals {
+ public:
+  explicit PlaneResiduals(const Plane& plane) : plane_(plane), turn_(plane.normal) {}
+  Residual operator()(const Vec3& p) const;
+
+ private:
+  Plane plane_;
+  Turn turn_;
+};
+class SphereResiduals {
+ public:
+  explicit SphereResiduals(const Sphere& sphere) : sphere_(sphere) {}
+  Residual operator()(const Vec3& p) const;
+
+ private:
+  Sphere sphere_;
+};
+class CylinderResiduals {
+ public:
+  explicit CylinderResiduals(const Cylinder& cylinder) : cylinder_(cylinder), turn_(cylinder.axis) {}
+  Residual operator()(const Vec3& p) const;
+
+ private:
+  Cylinder cylinder_;
+  Turn turn_;
+};
+class ConeResiduals {
+ public:
+  explicit ConeResiduals(const Cone& cone)
+      : cone_(cone), turn_(cone.axis), sine_(std::sin(cone.half_angle)), cosine_(std::cos(cone.half_angle)) {}
+  Residual operator()(const Vec3& p) const;
+
+ private:
+  Cone cone_;
+  Turn turn_;
+  double sine_, cosine_;
+};
+inline PlaneResiduals residualsOf(const Plane& plane) { return PlaneResiduals(plane); }
+inline SphereResiduals residualsOf(const Sphere& sphere) { return SphereResiduals(sphere); }
+inline CylinderResiduals residualsOf(const Cylinder& cylinder) { return CylinderResiduals(cylinder); }
+inline ConeResiduals residualsOf(const Cone& cone) { return ConeResiduals(cone); }
+
 Residual residual(const Shape& shape, const Vec3& p);
 
 /// The shape a step away in its local parameters; it may have left its limits (a radius below 0).
@@ -39,12 +86,5 @@ Plane stepped(const Plane& plane, const Gradient& step);
 Sphere stepped(const Sphere& sphere, const Gradient& step);
 Cylinder stepped(const Cylinder& cylinder, const Gradient& step);
 Cone stepped(const Cone& cone, const Gradient& step);
-
-/// The two directions across a unit vector along which it turns.
-struct Turn {
-  Vec3 first, second;
-  explicit Turn(const Vec3& axis);
-  Vec3 turned(const Vec3& axis, double a, double b) const { return (axis + a * first + b * second).normalized(); }
-};
 
 }  // namespace primitect

@@ -91,6 +91,7 @@ void drawSamples(const Cloud& cloud, const std::vector<std::uint32_t>& labels, s
       samples.y[i] = cloud.y[samples.index[i]];
       samples.z[i] = cloud.z[samples.index[i]];
       samples.nx[i] = samples.ny[i] = samples.nz[i] = kMissing;
+      samples.normal_sigma[i] = 0.0f;
     }
   };
   gather();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace primitect {
 namespace {
@@ -19,7 +20,7 @@ void assignToNearest(const Samples& samples, const Tolerance& tolerance, std::ve
     Segment* nearest = nullptr;
     double nearest_distance = std::numeric_limits<double>::infinity();
     for (Segment& segment : segments) {
-      const double away = inlierDistance(segment.candidate.shape, samples, i, tolerance);
+      const double away = inlierDistance(segment.candidate.shape, segment.candidate.concave, samples, i, tolerance);
       if (!(away < nearest_distance)) continue;
       nearest = &segment;
       nearest_distance = away;
@@ -46,7 +47,8 @@ void selectSegments(const Samples& samples, const std::vector<Candidate>& candid
   std::vector<bool> explained(samples.size(), false);
   for (const Segment& segment : segments) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (std::isfinite(inlierDistance(segment.candidate.shape, samples, i, tolerance))) explained[i] = true;
+      if (std::isfinite(inlierDistance(segment.candidate.shape, segment.candidate.concave, samples, i, tolerance)))
+        explained[i] = true;
     }
   }
   std::vector<std::uint32_t> own;
@@ -54,12 +56,16 @@ void selectSegments(const Samples& samples, const std::vector<Candidate>& candid
     if (!withinLimits(candidate.shape, params)) continue;
     own.clear();
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (explained[i] || std::isinf(inlierDistance(candidate.shape, samples, i, tolerance))) continue;
+      if (explained[i] || std::isinf(inlierDistance(candidate.shape, candidate.concave, samples, i, tolerance)))
+        continue;
       own.push_back(static_cast<std::uint32_t>(i));
     }
     if (own.size() < static_cast<std::size_t>(params.min_inliers)) continue;
     for (const std::uint32_t i : own) explained[i] = true;
-    segments.push_back({candidate, own});
+    Segment segment;
+    segment.candidate = candidate;
+    segment.inliers = own;
+    segments.push_back(std::move(segment));
   }
 }
 

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/candidate.h"
 #include "core/samples.h"
 #include "core/tolerance.h"
+#include "primitect/evidence.h"
 #include "primitect/params.h"
 
 namespace primitect {
@@ -17,6 +19,11 @@ namespace primitect {
 struct Segment {
   Candidate candidate;
   std::vector<std::uint32_t> inliers;  ///< indices of samples
+  // Of verified ones:
+  std::uint32_t hypothesis = 0;  ///< its index among the hypotheses of the frame
+  Evidence evidence;
+  std::optional<Kind> rival;  ///< the other kind that would explain the samples nearly as well
+  double confidence = kUnknown;
 };
 
 /// Takes the candidates in their order; each keeps the samples within the tolerance that no earlier one explains, and

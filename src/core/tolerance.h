@@ -7,13 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/candidate.h"
+#include "core/noise.h"
 #include "core/samples.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// Axial noise of structured-light cameras (m, one standard deviation) at depth z (Nguyen et al., 3DIMPVT 2012).
-inline double axialNoise(double z) { return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4); }
 
 struct Tolerance {
   double distance = 0.0;            ///< m
@@ -36,12 +35,13 @@ struct Tolerance {
 };
 
 /// |distance| of the sample to the shape if it can be its inlier, else infinity.
-inline double inlierDistance(const Shape& shape, const Samples& samples, std::size_t i, const Tolerance& tolerance) {
+inline double inlierDistance(const Shape& shape, bool concave, const Samples& samples, std::size_t i,
+                             const Tolerance& tolerance) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const Vec3 point = samples.point(i);
   const double away = std::abs(distance(shape, point));
   if (!(away < tolerance.distanceAt(point))) return kNone;
-  return samples.normal(i).dot(normalAt(shape, point)) > tolerance.cos_angle ? away : kNone;
+  return samples.normal(i).dot(seenNormalAt(shape, concave, point)) > tolerance.cos_angle ? away : kNone;
 }
 
 }  // namespace primitect

@@ -1,167 +1,178 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Competition of the four kinds; see verification.h.
+// Propose, select, refit, conclude; see verification.h.
 #include "core/verification.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
+#include <iterator>
 #include <utility>
 
-#include "core/fitting.h"
+#include "core/evidence.h"
+#include "core/noise_measurement.h"
 
 namespace primitect {
 namespace {
 
-/// Samples that nothing explains yet and that the shape may hold.
-std::vector<std::uint32_t> inliersOf(const Shape& shape, const Samples& samples, const Tolerance& tolerance,
-                                     const std::vector<bool>& explained) {
-  std::vector<std::uint32_t> inliers;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (explained[i] || std::isinf(inlierDistance(shape, samples, i, tolerance))) continue;
-    inliers.push_back(static_cast<std::uint32_t>(i));
-  }
-  return inliers;
+/// What is assumed before it is measured.
+NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
+  constexpr double kLargestNoise = 0.005;  // of d_s: with more of it nothing can be told any more
+  NoiseModel noise = {kLargestNoise * scale.scene_diameter, 0.0, params.inlier_angle_deg * M_PI / 180.0};
+  if (scale.depth_camera) noise.depth_share = params.inlier_depth_share / kInlierDeviations;
+  return noise;
 }
 
-void mark(const std::vector<std::uint32_t>& inliers, std::vector<bool>& explained) {
-  for (const std::uint32_t i : inliers) explained[i] = true;
-}
-
-double radiusOf(const Shape& shape) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
-  return cylinder ? cylinder->radius : 0.0;
-}
-
-/// A patch so small that all its normals are nearly one looks like a plane with noisy normals: an arc of about 50 deg
-/// is the least that makes a curved shape. 1 - |mean normal| of an arc w is 1 - sin(w/2) / (w/2).
-bool turnsEnough(const Shape& shape, const SampleSet& set) {
-  constexpr double kLeastTurn = 0.03;
-  if (kindOf(shape) == Kind::plane) return true;
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < set.size(); ++k) sum += set.normal(k);
-  return 1.0 - sum.norm() / static_cast<double>(set.size()) > kLeastTurn;
-}
-
-struct Limits {
-  const Params& params;
-  double max_radius;
-
-  bool hold(const Shape& shape) const { return withinLimits(shape, params) && radiusOf(shape) <= max_radius; }
-};
-
-/// Of the samples of the set; a shape with more parameters must explain more.
-double score(const Shape& shape, const SampleSet& set, const Tolerance& tolerance) {
-  constexpr double kPricePerParameter = 0.01;  // of the samples
-  constexpr int kParameters[] = {3, 4, 5, 6};
-  double sum = 0.0;
-  for (std::size_t k = 0; k < set.size(); ++k) {
-    const double away = inlierDistance(shape, set.samples, set.indices[k], tolerance);
-    const double share = away / tolerance.distanceAt(set.point(k));
-    if (share < 1.0) sum += 1.0 - share * share;
-  }
-  const double count = static_cast<double>(set.size());
-  return sum - kParameters[shape.index()] * (kPricePerParameter * count + std::log(count) / 9.0);
-}
-
-std::optional<Shape> refined(const std::optional<Shape>& start, const SampleSet& set, const Tolerance& tolerance) {
-  if (!start) return std::nullopt;
-  return refine(*start, set, [&tolerance](const Vec3& p) { return tolerance.distanceAt(p); });
-}
-
-/// All starts for the samples of a candidate: each kind from moments, and the candidate itself.
-std::vector<std::optional<Shape>> startsFor(const Candidate& candidate, const SampleSet& set) {
-  return {fitFromMoments(Kind::plane, set), fitFromMoments(Kind::sphere, set), fitFromMoments(Kind::cylinder, set),
-          fitFromMoments(Kind::cone, set), candidate.shape};
-}
-
-bool enabled(Kind kind, const Params& params) {
-  const bool switches[] = {params.detect_planes, params.detect_spheres, params.detect_cylinders, params.detect_cones};
-  return switches[static_cast<std::size_t>(kind)];
-}
-
-std::optional<Shape> compete(const Candidate& candidate, const SampleSet& set, const Tolerance& loose,
-                             const Tolerance& tight, const Limits& limits) {
-  std::optional<Shape> best;
-  double best_score = 0.0;
-  for (const std::optional<Shape>& start : startsFor(candidate, set)) {
-    if (start && !enabled(kindOf(*start), limits.params)) continue;
-    // First with the tolerance that gathered the samples, so that a poor start is not left where it is.
-    const std::optional<Shape> shape = refined(refined(start, set, loose), set, tight);
-    if (!shape || !limits.hold(*shape) || !turnsEnough(*shape, set)) continue;
-    const double own_score = score(*shape, set, tight);
-    if (own_score > best_score) {
-      best = shape;
-      best_score = own_score;
-    }
-  }
-  return best;
-}
-
-/// 1.4826 times the median of |distance|: the standard deviation of a normal distribution, whatever lies outside.
-double robustDeviation(const Shape& shape, const SampleSet& set) {
-  std::vector<double> distances;
-  for (std::size_t k = 0; k < set.size(); ++k) distances.push_back(std::abs(distance(shape, set.point(k))));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return 1.4826 * *middle;
-}
+std::size_t needed(const Params& params) { return static_cast<std::size_t>(params.min_inliers); }
 
 }  // namespace
 
-double estimateNoiseTolerance(const Samples& samples, const std::vector<Candidate>& candidates,
-                              const Tolerance& loose) {
-  constexpr std::size_t kStrongest = 12;
-  constexpr std::size_t kFewestInliers = 20;
-  constexpr double kSmallestShare = 0.02;  // of the loose tolerance: exact data has float rounding
-  const std::vector<bool> none_explained(samples.size(), false);
-  std::vector<double> deviations;
-  for (std::size_t k = 0; k < std::min(candidates.size(), kStrongest); ++k) {
-    const std::vector<std::uint32_t> own = inliersOf(candidates[k].shape, samples, loose, none_explained);
-    if (own.size() < kFewestInliers) continue;
-    const SampleSet set = {samples, own};
-    double smallest = loose.distance;
-    for (const std::optional<Shape>& start : startsFor(candidates[k], set)) {
-      const std::optional<Shape> shape = refined(start, set, loose);
-      if (shape) smallest = std::min(smallest, robustDeviation(*shape, set));
+void Verification::begin(const FrameScale& scale) {
+  scale_ = scale;
+  noise_ = largestNoise(scale, params_);
+  samples_.clear();
+  pool_.clear();
+  selection_ = {};
+  segments_.clear();
+  refusals_ = {};
+}
+
+Limits Verification::limits() const {
+  return {params_, params_.radius_bin * params_.radius_bins * scale_.scene_diameter};
+}
+
+ProposalRules Verification::rules() const {
+  // Votes tell a shape to about a bin.
+  constexpr double kMostWiden = 3.0;
+  const double typical = noise_.depth_share > 0.0 && samples_.size() > 0
+                             ? noise_.at(samples_.point(samples_.size() / 2))
+                             : noise_.distance;
+  const double off = params_.radius_bin * scale_.scene_diameter;
+  const double widen = std::clamp(off / (kInlierDeviations * typical), 1.0, kMostWiden);
+  return {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
+}
+
+void Verification::append(Samples samples) {
+  applyNoise(noise_, samples);
+  samples_.append(samples);
+  graph_.build(samples_);
+  const HeldGains nothing(samples_.size(), 0.0f);
+  for (Hypothesis& hypothesis : pool_) evaluate(samples_, nothing, 1.0, hypothesis);
+}
+
+void Verification::measureNoise(Samples samples, const std::vector<Candidate>& candidates) {
+  noise_ = largestNoise(scale_, params_);
+  applyNoise(noise_, samples);
+  noise_ = primitect::measureNoise(samples, candidates, rules());
+}
+
+void Verification::addRound(Samples samples, std::vector<Candidate> candidates) {
+  for (Candidate& candidate : candidates) candidate.sample += static_cast<std::uint32_t>(samples_.size());
+  append(std::move(samples));
+  proposeHypotheses(samples_, graph_, candidates, rules(), pool_, refusals_);
+  select();
+  refit();
+}
+
+void Verification::conclude(Samples samples) {
+  constexpr int kRefusals = 4;
+  append(std::move(samples));
+  select();
+  refit();
+  assess();
+  for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
+    select();
+    assess();
+  }
+  // What took the place of the last ones refused may be unlikely, too.
+  const auto unlikely = [this](const Segment& segment) { return segment.confidence < params_.min_confidence; };
+  segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+}
+
+void Verification::select() {
+  selection_ = selectHypotheses(samples_, pool_, needed(params_));
+  std::vector<std::size_t> segment_of(pool_.size(), 0);
+  segments_.clear();
+  for (const std::uint32_t h : selection_.chosen) {
+    segment_of[h] = segments_.size();
+    Segment segment;
+    segment.hypothesis = h;
+    segment.candidate.shape = pool_[h].shape;
+    segment.candidate.concave = pool_[h].concave;
+    segment.candidate.votes = pool_[h].votes;
+    segments_.push_back(std::move(segment));
+  }
+  for (std::uint32_t i = 0; i < selection_.owner.size(); ++i) {
+    if (selection_.owner[i] != kNobody) segments_[segment_of[selection_.owner[i]]].inliers.push_back(i);
+  }
+}
+
+HeldGains Verification::heldByChosen() const {
+  HeldGains held(samples_.size(), 0.0f);
+  for (const std::uint32_t h : selection_.chosen) hold(pool_[h], held);
+  return held;
+}
+
+/// Parts of a plane that do not touch may lie in different ones.
+void Verification::splitParts(const Segment& segment, const HeldGains& held) {
+  std::vector<std::uint32_t> rest = segment.inliers, part, left;
+  while (rest.size() >= needed(params_)) {
+    graph_.connected(rest, rest.front(), part);
+    if (part.size() == segment.inliers.size()) return;
+    left.clear();
+    std::set_difference(rest.begin(), rest.end(), part.begin(), part.end(), std::back_inserter(left));
+    rest.swap(left);
+    if (part.size() < needed(params_)) continue;
+    Hypothesis trial = pool_[segment.hypothesis];
+    if (bestOfKinds(samples_, held, part, rules(), trial)) pool_.push_back(std::move(trial));
+  }
+}
+
+/// What was selected is fitted again, to its own samples, to all samples near it, and in parts; then it competes with
+/// what it was.
+void Verification::refit() {
+  constexpr int kTimes = 2;
+  constexpr double kNear = 2.5;  // times the noise: what a slightly wrong shape left behind
+  std::vector<std::uint32_t> near;
+  for (int time = 0; time < kTimes; ++time) {
+    const HeldGains held = heldByChosen();
+    for (const Segment& segment : segments_) {
+      Hypothesis trial = pool_[segment.hypothesis];
+      if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) pool_.push_back(trial);
+      if (kindOf(segment.candidate.shape) == Kind::plane) splitParts(segment, held);
+      evaluate(samples_, held, kNear, trial);
+      inliersOf(trial, near);
+      if (near.size() <= segment.inliers.size() * 21 / 20) continue;
+      if (bestOfKinds(samples_, held, near, rules(), trial)) pool_.push_back(std::move(trial));
     }
-    deviations.push_back(smallest);
-  }
-  if (deviations.empty()) return loose.distance;
-  const auto quartile = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 4);
-  std::nth_element(deviations.begin(), quartile, deviations.end());
-  return std::clamp(3.0 * *quartile, kSmallestShare * loose.distance, loose.distance);
-}
-
-void verifyCandidates(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                      const Tolerance& loose, const Tolerance& tight, double max_radius,
-                      std::vector<Segment>& segments) {
-  const std::size_t needed = static_cast<std::size_t>(params.min_inliers);
-  const Limits limits = {params, max_radius};
-  std::vector<bool> explained(samples.size(), false);
-  for (const Segment& segment : segments)
-    mark(inliersOf(segment.candidate.shape, samples, tight, explained), explained);
-  for (const Candidate& candidate : candidates) {
-    const std::vector<std::uint32_t> own = inliersOf(candidate.shape, samples, loose, explained);
-    if (own.size() < needed) continue;
-    const std::optional<Shape> shape = compete(candidate, {samples, own}, loose, tight, limits);
-    if (!shape) continue;
-    Segment segment = {candidate, inliersOf(*shape, samples, tight, explained)};
-    if (segment.inliers.size() < needed) continue;
-    segment.candidate.shape = *shape;
-    mark(segment.inliers, explained);
-    segments.push_back(std::move(segment));
+    select();
   }
 }
 
-void refineSegments(const Samples& samples, const Params& params, const Tolerance& tight, double max_radius,
-                    std::vector<Segment>& segments) {
-  const Limits limits = {params, max_radius};
-  for (Segment& segment : segments) {
-    const std::optional<Shape> shape = refined(segment.candidate.shape, {samples, segment.inliers}, tight);
-    if (shape && limits.hold(*shape)) segment.candidate.shape = *shape;
+void Verification::assess() {
+  const HeldGains held = heldByChosen();
+  for (Segment& segment : segments_) {
+    const Hypothesis& hypothesis = pool_[segment.hypothesis];
+    const Kind kind = kindOf(hypothesis.shape);
+    segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
+    if (kind != Kind::plane) {
+      const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
+      segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
+      segment.rival = rival.kind;
+    }
+    segment.confidence = confidenceOf(kind, segment.evidence);
   }
+}
+
+bool Verification::refuseUnlikely() {
+  bool any = false;
+  for (const Segment& segment : segments_) {
+    if (segment.confidence >= params_.min_confidence) continue;
+    pool_[segment.hypothesis].support.clear();  // explains nothing any more
+    ++refusals_[Refusal::unlikely];
+    any = true;
+  }
+  return any;
 }
 
 }  // namespace primitect

@@ -1,33 +1,72 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Checking candidates on the samples: the kinds compete for the points of a candidate, and the winner is refined on
-// them.
+// Checking candidates on the samples, round by round: which shapes are there, and how sure that is.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/candidate.h"
-#include "core/samples.h"
+#include "core/hypothesis.h"
+#include "core/proposal.h"
+#include "core/sample_graph.h"
 #include "core/segmentation.h"
-#include "core/tolerance.h"
+#include "core/selection.h"
 #include "primitect/params.h"
 
 namespace primitect {
 
-/// Noise of clouds that no depth camera's model fits: three standard deviations (m) of the distances of samples to the
-/// shapes that explain the strongest candidates best; the lower quartile of these, at most `loose`.
-double estimateNoiseTolerance(const Samples& samples, const std::vector<Candidate>& candidates, const Tolerance& loose);
+/// The scale of a frame.
+struct FrameScale {
+  double scene_diameter = 1.0;  ///< d_s, m
+  bool depth_camera = false;    ///< depth along z: its noise grows with it
+};
 
-/// Adds segments for candidates that stand the test. In the order of votes: the samples within `loose` that nothing
-/// explains yet are fitted with all four kinds (moments, then robust least squares); the kind with the best score sum(1
-/// - (distance / tolerance)^2) less a price for its parameters wins, if it is within the limits of params and of
-/// max_radius (m), its normals turn enough for a curved shape, and it keeps params.min_inliers samples.
-void verifyCandidates(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                      const Tolerance& loose, const Tolerance& tight, double max_radius,
-                      std::vector<Segment>& segments);
+/// All hypotheses of a frame and the samples that they are checked on.
+class Verification {
+ public:
+  explicit Verification(const Params& params) : params_(params) {}
 
-/// Fits every segment's shape to its inliers once more, where that succeeds within the same limits.
-void refineSegments(const Samples& samples, const Params& params, const Tolerance& tight, double max_radius,
-                    std::vector<Segment>& segments);
+  /// Forgets the last frame.
+  void begin(const FrameScale& scale);
+
+  /// The noise, from the first samples and what they voted for, strongest first.
+  void measureNoise(Samples samples, const std::vector<Candidate>& candidates);
+
+  /// A round's samples, with normals, and what they voted for, strongest first. Selects anew.
+  void addRound(Samples samples, std::vector<Candidate> candidates);
+
+  /// More samples, for a closer look: selects anew, and then refuses what is not likely enough; its samples may serve
+  /// others.
+  void conclude(Samples samples);
+
+  const NoiseModel& noise() const { return noise_; }
+  const Samples& samples() const { return samples_; }
+  /// What was selected, with the samples of each; every sample belongs to one at most.
+  const std::vector<Segment>& segments() const { return segments_; }
+  const Refusals& refusals() const { return refusals_; }
+  Limits limits() const;
+
+ private:
+  ProposalRules rules() const;
+  void append(Samples samples);
+  void select();
+  void refit();
+  void splitParts(const Segment& segment, const HeldGains& held);
+  void assess();
+  bool refuseUnlikely();
+  HeldGains heldByChosen() const;
+
+  Params params_;
+  FrameScale scale_;
+  NoiseModel noise_;
+  Samples samples_;
+  SampleGraph graph_;
+  std::vector<Hypothesis> pool_;
+  Selection selection_;
+  std::vector<Segment> segments_;
+  Refusals refusals_;
+};
 
 }  // namespace primitect

@@ -12,12 +12,14 @@
 namespace primitect {
 namespace {
 
+using test::bowlOf;
 using test::candidatesOf;
 using test::median;
 using test::patchOf;
 using test::pointOn;
 using test::shapesOf;
 using test::SurfacePoint;
+using test::wallOf;
 
 constexpr double kDegree = M_PI / 180.0;
 
@@ -25,25 +27,6 @@ Params paperWith(const char* convexity) {
   Params params = presetParams("paper");
   params.convexity = convexity;
   return params;
-}
-
-/// What a sensor at the origin sees of the far side, from inside.
-std::vector<SurfacePoint> bowlOf(const Sphere& sphere, int count, Random& random) {
-  std::vector<SurfacePoint> points;
-  while (static_cast<int>(points.size()) < count) {
-    const SurfacePoint p = pointOn(sphere, test::randomDirection(random));
-    if (p.normal.dot(p.point) > 0.0) points.push_back({p.point, -p.normal});
-  }
-  return points;
-}
-template <class Round>
-std::vector<SurfacePoint> wallOf(const Round& shape, int count, double low, double high, Random& random) {
-  std::vector<SurfacePoint> points;
-  while (static_cast<int>(points.size()) < count) {
-    const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
-    if (p.normal.dot(p.point) > 0.0) points.push_back({p.point, -p.normal});
-  }
-  return points;
 }
 
 /// Each shape's surface holds its reference, whose normal is the shape's inward one and still points to the sensor.

@@ -168,5 +168,26 @@ TEST(Refinement, GivesNothingRatherThanSomethingNotFinite) {
   }
 }
 
+TEST(Refinement, FindsASlenderConeFromOneThatTapersLessOrMore) {
+  // Both touch the same circle: only the angle is wrong, but the apex by half a metre.
+  constexpr double kRadius = 0.05;
+  const auto throughCircle = [](double half_angle) {
+    return Cone{Vec3(0, -kRadius / std::tan(half_angle), 1), Vec3(0, 1, 0), half_angle};
+  };
+  for (const double half_angle : {0.07, 0.17, 0.26}) {
+    Random random(79);
+    const double middle = kRadius / std::tan(half_angle);
+    const Samples samples =
+        test::samplesOf(test::patchOf(throughCircle(half_angle), 500, middle - 0.05, middle + 0.05, random));
+    std::vector<std::uint32_t> all(samples.size());
+    std::iota(all.begin(), all.end(), 0u);
+    for (const double start : {0.1, 0.2}) {
+      const auto found = refine(throughCircle(start), {samples, all}, [](const Vec3&) { return 0.01; });
+      ASSERT_TRUE(found) << half_angle << " from " << start;
+      EXPECT_NEAR(std::get<Cone>(*found).half_angle, half_angle, 1e-4) << half_angle << " from " << start;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace primitect

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The kinds compete for the samples of a candidate.
+// Hypotheses over the rounds of a frame: proposed, selected, split, refused.
 #include "core/verification.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
@@ -11,131 +13,266 @@
 namespace primitect {
 namespace {
 
+using test::measured;
 using test::patchOf;
 using test::SurfacePoint;
+using test::together;
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kNoise = 0.001;
-constexpr double kMaxRadius = 0.4;
+constexpr double kTurn = 0.06;  // rad, of normals
+constexpr double kDiameter = 1.0;
 
-const Tolerance kLoose = {0.012, 0.0, std::cos(30.0 * kDegree)};
-const Tolerance kTight = {3.0 * kNoise, 0.0, std::cos(30.0 * kDegree)};
+const Plane kWall = {Vec3(0, 0, 1.3), Vec3(0, 0, -1)};
+const Sphere kBall = {Vec3(-0.2, 0, 1), 0.08};
+const Cylinder kCan = {Vec3(0.2, 0, 1), Vec3(0, -1, 0), 0.06};
 
-std::vector<SurfacePoint> noisy(std::vector<SurfacePoint> points, std::uint64_t seed) {
-  Random random(seed);
-  for (SurfacePoint& p : points) p.point += kNoise * random.gaussian() * p.normal;
+/// A frame, fed by rounds of points and what they vote for.
+class Frame {
+ public:
+  explicit Frame(const Params& params = Params(), double diameter = kDiameter)
+      : params_(params), diameter_(diameter), verification_(params) {
+    verification_.begin({diameter, false});
+  }
+  void round(const std::vector<SurfacePoint>& points) {
+    std::vector<Candidate> candidates = test::candidatesOf(points, diameter_, params_);
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
+    if (verification_.samples().size() == 0) verification_.measureNoise(test::samplesOf(points), candidates);
+    verification_.addRound(test::samplesOf(points), candidates);
+  }
+  void conclude(const std::vector<SurfacePoint>& points) { verification_.conclude(test::samplesOf(points)); }
+
+  const Verification& verification() const { return verification_; }
+  const std::vector<Segment>& segments() const { return verification_.segments(); }
+  std::vector<const Segment*> of(Kind kind) const {
+    std::vector<const Segment*> found;
+    for (const Segment& segment : segments()) {
+      if (kindOf(segment.candidate.shape) == kind) found.push_back(&segment);
+    }
+    return found;
+  }
+  const Segment* only(Kind kind) const { return of(kind).size() == 1 ? of(kind)[0] : nullptr; }
+
+ private:
+  Params params_;
+  double diameter_;
+  Verification verification_;
+};
+
+std::vector<SurfacePoint> noisy(const std::vector<SurfacePoint>& points, Random& random) {
+  return measured(points, kNoise, kTurn, random);
+}
+
+/// A rectangle facing the sensor, half as wide as long.
+std::vector<SurfacePoint> plate(const Vec3& middle, double half_width, double half_height, int count, Random& random) {
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back(
+        {middle + Vec3(random.uniform(-half_width, half_width), random.uniform(-half_height, half_height), 0),
+         Vec3(0, 0, -1)});
+  }
   return points;
 }
 
-Candidate proposal(const Shape& shape, const SurfacePoint& reference) {
-  return test::candidate(shape, reference, 100.0);
+std::vector<SurfacePoint> wallBallAndCan(int of_ball, Random& random) {
+  return noisy(together(together(patchOf(kWall, 600, 0.4, random), patchOf(kBall, of_ball, random)),
+                        patchOf(kCan, 300, -0.1, 0.1, random)),
+               random);
 }
 
-std::vector<Segment> verified(const std::vector<SurfacePoint>& points, const std::vector<Candidate>& candidates,
-                              const Params& params = Params()) {
-  std::vector<Segment> segments;
-  verifyCandidates(test::samplesOf(points), candidates, params, kLoose, kTight, kMaxRadius, segments);
-  return segments;
+void expectEverySampleOnce(const Frame& frame) {
+  std::vector<int> owners(frame.verification().samples().size(), 0);
+  for (const Segment& segment : frame.segments()) {
+    for (const std::uint32_t i : segment.inliers) ++owners.at(i);
+  }
+  for (const int count : owners) EXPECT_LE(count, 1);
 }
 
-TEST(Verification, TurnsAPlaneOnACylinderIntoTheCylinder) {
-  Random random(71);
-  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
-  const std::vector<SurfacePoint> points = noisy(patchOf(cylinder, 400, -0.1, 0.1, random), 1);
-  const Plane tangent = {Vec3(0, 0, 0.955), Vec3(0, 0, -1)};
-  const std::vector<Segment> segments = verified(points, {proposal(tangent, points[0]), proposal(cylinder, points[1])});
-  ASSERT_EQ(segments.size(), 1u);
-  const Cylinder* found = std::get_if<Cylinder>(&segments[0].candidate.shape);
-  ASSERT_TRUE(found);
-  // Fitted to the strip around the tangent plane alone; the final refinement sees all inliers.
-  EXPECT_NEAR(found->radius, 0.05, 0.0015);
-  EXPECT_GT(segments[0].inliers.size(), 380u);
+TEST(Verification, FindsEachShapeOnceAndExplainsEachSampleOnce) {
+  Random random(91);
+  Frame frame;
+  frame.round(wallBallAndCan(300, random));
+  ASSERT_EQ(frame.segments().size(), 3u);
+  EXPECT_TRUE(frame.only(Kind::plane) && frame.only(Kind::sphere) && frame.only(Kind::cylinder));
+  expectEverySampleOnce(frame);
+  EXPECT_NEAR(frame.verification().noise().distance, kNoise, 0.3 * kNoise);
+}
+
+TEST(Verification, FindsInTheSecondRoundWhatWasTooSmallInTheFirst) {
+  Random random(92);
+  Frame frame;
+  frame.round(wallBallAndCan(12, random));  // fewer than min_inliers
+  EXPECT_FALSE(frame.only(Kind::sphere));
+  ASSERT_TRUE(frame.only(Kind::plane) && frame.only(Kind::cylinder));
+  const std::size_t of_can = frame.only(Kind::cylinder)->inliers.size();
+  frame.round(noisy(together(patchOf(kBall, 60, random), patchOf(kCan, 30, -0.1, 0.1, random)), random));
+  const Segment* ball = frame.only(Kind::sphere);
+  ASSERT_TRUE(ball);
+  EXPECT_NEAR(std::get<Sphere>(ball->candidate.shape).radius, kBall.radius, 2.0 * kNoise);
+  // The samples of both rounds count for what either found.
+  EXPECT_EQ(frame.verification().samples().size(), 912u + 90u);
+  EXPECT_GT(ball->inliers.size(), 65u);
+  ASSERT_TRUE(frame.only(Kind::cylinder));
+  EXPECT_GT(frame.only(Kind::cylinder)->inliers.size(), of_can + 25u);
+  expectEverySampleOnce(frame);
+}
+
+TEST(Verification, ForgetsTheLastFrame) {
+  Random random(93);
+  const std::vector<SurfacePoint> points = wallBallAndCan(300, random);
+  Verification used{Params()}, fresh{Params()};
+  for (Verification* verification : {&used, &used, &fresh}) {
+    verification->begin({kDiameter, false});
+    EXPECT_TRUE(verification->segments().empty());
+    EXPECT_EQ(verification->samples().size(), 0u);
+    const std::vector<Candidate> candidates = test::candidatesOf(points, kDiameter, Params());
+    verification->measureNoise(test::samplesOf(points), candidates);
+    verification->addRound(test::samplesOf(points), candidates);
+  }
+  ASSERT_EQ(used.segments().size(), fresh.segments().size());
+  for (std::size_t k = 0; k < fresh.segments().size(); ++k) {
+    EXPECT_EQ(used.segments()[k].inliers, fresh.segments()[k].inliers);
+  }
+}
+
+TEST(Verification, SplitsPartsThatLieInNearlyTheSamePlane) {
+  // 8 mm between them, 40 cm apart: at the noise that is expected before it is measured, 5 mm, they are one.
+  Random random(94);
+  Frame frame;
+  frame.round(noisy(
+      together(plate(Vec3(-0.3, 0, 1.0), 0.1, 0.2, 400, random), plate(Vec3(0.3, 0, 1.008), 0.1, 0.2, 400, random)),
+      random));
+  frame.conclude({});
+  ASSERT_EQ(frame.of(Kind::plane).size(), 2u);
+  ASSERT_EQ(frame.segments().size(), 2u);
+  for (const Segment* segment : frame.of(Kind::plane)) {
+    const Plane& plane = std::get<Plane>(segment->candidate.shape);
+    EXPECT_LT(test::lineAngle(plane.normal, Vec3::UnitZ()), 1.0 * kDegree);
+    const bool left = segment->inliers[0] < 400;
+    EXPECT_NEAR(distance(plane, left ? Vec3(-0.3, 0, 1.0) : Vec3(0.3, 0, 1.008)), 0.0, kNoise);
+    EXPECT_GT(segment->inliers.size(), 340u);  // most of 400
+  }
+}
+
+TEST(Verification, KeepsPartsOfOnePlaneTogether) {
+  Random random(96);
+  Frame frame;
+  frame.round(
+      noisy(together(plate(Vec3(-0.3, 0, 1.0), 0.1, 0.2, 400, random), plate(Vec3(0.3, 0, 1.0), 0.1, 0.2, 400, random)),
+            random));
+  frame.conclude({});
+  ASSERT_EQ(frame.segments().size(), 1u);
+  EXPECT_GT(frame.segments()[0].inliers.size(), 770u);
 }
 
 TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
-  Random random(72);
+  Random random(97);
   const Plane front = {Vec3(0, 0, 1), Vec3(0, 0, -1)}, top = {Vec3(0, -0.1, 1.1), Vec3(0, -1, 0)};
-  std::vector<SurfacePoint> points = patchOf(front, 200, 0.1, random);
-  for (const SurfacePoint& p : patchOf(top, 200, 0.1, random)) points.push_back(p);
-  points = noisy(points, 2);
+  const std::vector<SurfacePoint> points =
+      noisy(together(patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)), random);
   // The cone that touches both faces along lines through their common edge.
   const Cone cone = {Vec3(-0.1, -0.1, 1.0), Vec3(1, 1, 1).normalized(), std::asin(std::sqrt(1.0 / 3.0))};
-  const std::vector<Segment> segments =
-      verified(points, {proposal(front, points[0]), proposal(top, points[300]), proposal(cone, points[1])});
-  ASSERT_EQ(segments.size(), 2u);
-  for (const Segment& segment : segments) EXPECT_EQ(kindOf(segment.candidate.shape), Kind::plane);
-}
-
-TEST(Refinement, OfSegmentsUsesAllTheirInliers) {
-  Random random(78);
-  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
-  const std::vector<SurfacePoint> points = noisy(patchOf(cylinder, 400, -0.1, 0.1, random), 8);
-  std::vector<Segment> segments =
-      verified(points, {proposal(Cylinder{Vec3(0, 0, 1.001), Vec3(0, -1, 0), 0.051}, points[0])});
-  ASSERT_EQ(segments.size(), 1u);
-  refineSegments(test::samplesOf(points), Params(), kTight, kMaxRadius, segments);
-  // sigma / sqrt(400) for the distances, times about 4 as half a turn is seen at most; three of these.
-  EXPECT_NEAR(std::get<Cylinder>(segments[0].candidate.shape).radius, 0.05, 3.0 * 4.0 * kNoise / 20.0);
-}
-
-TEST(Verification, KeepsEveryKindOnItsOwnPoints) {
-  Random random(73);
-  const Sphere sphere = {Vec3(0, 0, 1), 0.08};
-  const Cone cone = {Vec3(0, -0.1, 1), Vec3(0, 1, 0), 25 * kDegree};
-  const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
-  const std::vector<std::pair<Shape, std::vector<SurfacePoint>>> cases = {{sphere, patchOf(sphere, 300, random)},
-                                                                          {cone, patchOf(cone, 300, 0.05, 0.2, random)},
-                                                                          {plane, patchOf(plane, 300, 0.1, random)}};
-  for (const auto& [shape, points] : cases) {
-    const std::vector<SurfacePoint> measured = noisy(points, 3);
-    const std::vector<Segment> segments = verified(measured, {proposal(shape, measured[0])});
-    ASSERT_EQ(segments.size(), 1u) << kindName(kindOf(shape));
-    EXPECT_EQ(segments[0].candidate.shape.index(), shape.index()) << kindName(kindOf(shape));
+  std::vector<Candidate> candidates = {test::candidate(cone, points[1], 100.0), test::candidate(front, points[0], 90.0),
+                                       test::candidate(top, points[300], 80.0)};
+  candidates[0].sample = 1;
+  candidates[2].sample = 300;
+  Verification verification{Params()};
+  verification.begin({0.5, false});
+  verification.measureNoise(test::samplesOf(points), candidates);
+  verification.addRound(test::samplesOf(points), candidates);
+  verification.conclude({});
+  ASSERT_EQ(verification.segments().size(), 2u);
+  for (const Segment& segment : verification.segments()) {
+    EXPECT_EQ(kindOf(segment.candidate.shape), Kind::plane);
   }
 }
 
-TEST(Verification, ExplainsEachSampleOnce) {
-  Random random(74);
-  const Sphere sphere = {Vec3(0, 0, 1), 0.08};
-  const std::vector<SurfacePoint> points = noisy(patchOf(sphere, 300, random), 4);
-  const Sphere shifted = {Vec3(0, 0.004, 1), 0.083};
-  EXPECT_EQ(verified(points, {proposal(sphere, points[0]), proposal(shifted, points[1])}).size(), 1u);
+TEST(Verification, FindsBothSidesOfTheWallOfACup) {
+  // Seen from above and in front: the outer wall, convex, and behind the rim the inner one, 4 mm smaller.
+  const Vec3 axis = Vec3(0, -1, -0.6).normalized();
+  const Cylinder outside = {Vec3(0, 0, 0.8), axis, 0.06}, inside = {Vec3(0, 0, 0.8), axis, 0.056};
+  Random random(98);
+  const std::vector<SurfacePoint> points =
+      noisy(together(patchOf(outside, 500, -0.08, 0.08, random), test::wallOf(inside, 300, 0.0, 0.08, random)), random);
+  for (const char* convexity : {"both", "convex", "concave"}) {
+    Params params;
+    params.convexity = convexity;
+    Frame frame(params, 0.3);
+    frame.round(points);
+    frame.conclude({});
+    std::size_t convex = 0, concave = 0;
+    for (const Segment* segment : frame.of(Kind::cylinder)) {
+      ++(segment->candidate.concave ? concave : convex);
+      const double radius = std::get<Cylinder>(segment->candidate.shape).radius;
+      EXPECT_NEAR(radius, segment->candidate.concave ? inside.radius : outside.radius, kNoise) << convexity;
+    }
+    EXPECT_EQ(convex, std::string(convexity) == "concave" ? 0u : 1u) << convexity;
+    EXPECT_EQ(concave, std::string(convexity) == "convex" ? 0u : 1u) << convexity;
+  }
 }
 
-TEST(Verification, KeepsLimitsAfterRefinement) {
-  Random random(75);
-  const Sphere sphere = {Vec3(0, 0, 1), 0.08};
-  const std::vector<SurfacePoint> points = noisy(patchOf(sphere, 300, random), 5);
-  // The proposal is within the limit, the fit is not.
+TEST(Conclusion, RefusesAndCountsWhatIsUnlikely) {
+  Random random(99);
+  const std::vector<SurfacePoint> points = wallBallAndCan(300, random);
   Params params;
-  params.max_radius = 0.078;
-  for (const Segment& segment : verified(points, {proposal(Sphere{Vec3(0, 0, 0.997), 0.077}, points[0])}, params)) {
-    EXPECT_NE(kindOf(segment.candidate.shape), Kind::sphere);
-  }
+  params.min_confidence = 0.0;
+  Frame all(params);
+  all.round(points);
+  all.conclude({});
+  ASSERT_EQ(all.segments().size(), 3u);
+  EXPECT_EQ(all.verification().refusals()[Refusal::unlikely], 0u);
+  std::vector<double> confidences;
+  for (const Segment& segment : all.segments()) confidences.push_back(segment.confidence);
+  std::sort(confidences.begin(), confidences.end());
+  ASSERT_LT(confidences[0], confidences[1]);
+  // A bound just above the least likely of them.
+  params.min_confidence = 0.5 * (confidences[0] + confidences[1]);
+  Frame bounded(params);
+  bounded.round(points);
+  EXPECT_EQ(bounded.segments().size(), 3u);  // not before the end
+  bounded.conclude({});
+  EXPECT_EQ(bounded.segments().size(), 2u);
+  EXPECT_GE(bounded.verification().refusals()[Refusal::unlikely], 1u);
+  for (const Segment& segment : bounded.segments()) EXPECT_GE(segment.confidence, params.min_confidence);
 }
 
-TEST(Verification, DoesNotTurnAKindOnThatIsOff) {
-  Random random(76);
-  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
-  const std::vector<SurfacePoint> points = noisy(patchOf(cylinder, 400, -0.1, 0.1, random), 6);
+TEST(Conclusion, SettlesTheShapesWithMoreSamples) {
+  Random random(100);
+  Frame frame;
+  frame.round(wallBallAndCan(60, random));
+  ASSERT_TRUE(frame.only(Kind::sphere));
+  frame.conclude(noisy(patchOf(kBall, 1000, random), random));
+  const Segment* ball = frame.only(Kind::sphere);
+  ASSERT_TRUE(ball);
+  EXPECT_GT(ball->inliers.size(), 1000u);
+  // sigma / sqrt(1060), times about 3 as half of it is seen at most; three of these.
+  EXPECT_NEAR(std::get<Sphere>(ball->candidate.shape).radius, kBall.radius, 3.0 * 3.0 * kNoise / std::sqrt(1060.0));
+}
+
+TEST(Confidence, OfRightShapesIsHigherThanOfAnyOnASaddle) {
+  Random random(101);
   Params params;
-  params.detect_cylinders = false;
-  for (const Segment& segment :
-       verified(points, {proposal(Plane{Vec3(0, 0, 0.955), Vec3(0, 0, -1)}, points[0])}, params)) {
-    EXPECT_NE(kindOf(segment.candidate.shape), Kind::cylinder);
+  params.min_confidence = 0.0;
+  Frame right(params);
+  right.round(wallBallAndCan(300, random));
+  right.conclude({});
+  double least = 1.0;
+  for (const Segment& segment : right.segments()) least = std::min(least, segment.confidence);
+  EXPECT_GT(least, 0.9);
+  // A saddle is nothing that is known: planes, cylinders and cones touch parts of it.
+  std::vector<SurfacePoint> saddle;
+  for (int i = 0; i < 600; ++i) {
+    const double u = random.uniform(-0.15, 0.15), v = random.uniform(-0.15, 0.15);
+    saddle.push_back({Vec3(u, v, 1.0 + 4.0 * u * u - 2.5 * v * v), Vec3(8.0 * u, -5.0 * v, -1.0).normalized()});
   }
-}
-
-TEST(NoiseTolerance, IsThreeStandardDeviationsOfWhatFitsBest) {
-  Random random(77);
-  const Sphere sphere = {Vec3(0, 0, 1), 0.2};
-  const std::vector<SurfacePoint> points = noisy(patchOf(sphere, 1000, random), 7);
-  const double tolerance = estimateNoiseTolerance(test::samplesOf(points), {proposal(sphere, points[0])}, kLoose);
-  EXPECT_NEAR(tolerance, 3.0 * kNoise, 0.5 * kNoise);
-}
-
-TEST(NoiseTolerance, IsTheLooseOneWhenThereIsNothingToMeasure) {
-  EXPECT_EQ(estimateNoiseTolerance(test::samplesOf({}), {}, kLoose), kLoose.distance);
+  Frame wrong(params, 0.5);
+  wrong.round(noisy(saddle, random));
+  wrong.conclude({});
+  ASSERT_FALSE(wrong.segments().empty());
+  for (const Segment& segment : wrong.segments()) {
+    EXPECT_LT(segment.confidence, least) << kindName(kindOf(segment.candidate.shape));
+  }
 }
 
 }  // namespace

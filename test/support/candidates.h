@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Candidates as the votes of one reference would propose them, and those that exact samples do vote for.
+// Candidates as the votes of one reference would propose them, and as exact samples vote for them.
 #pragma once
 
 #include <algorithm>
-#include <variant>
 #include <vector>
 
 #include "core/candidate.h"
@@ -34,8 +33,8 @@ inline std::vector<Candidate> candidatesOf(const std::vector<SurfacePoint>& poin
 template <class T>
 std::vector<T> shapesOf(const std::vector<Candidate>& candidates) {
   std::vector<T> shapes;
-  for (const Candidate& found : candidates) {
-    if (const T* shape = std::get_if<T>(&found.shape)) shapes.push_back(*shape);
+  for (const Candidate& candidate : candidates) {
+    if (const T* shape = std::get_if<T>(&candidate.shape)) shapes.push_back(*shape);
   }
   return shapes;
 }

@@ -65,6 +65,8 @@ inline void append(Samples& samples, const SurfacePoint& p) {
   samples.nx.push_back(o.normal.x);
   samples.ny.push_back(o.normal.y);
   samples.nz.push_back(o.normal.z);
+  for (std::vector<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.normal_limit})
+    noise->push_back(0.0f);
   samples.index.push_back(static_cast<std::uint32_t>(samples.index.size()));
 }
 
@@ -101,6 +103,12 @@ inline Cloud cameraCloud(const Vec3& normal, double offset) {
   return cloud;
 }
 
+/// Points of one cloud after those of another.
+inline std::vector<SurfacePoint> together(std::vector<SurfacePoint> points, const std::vector<SurfacePoint>& more) {
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
 /// Angle between two lines (rad), signs ignored.
 inline double lineAngle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
 
@@ -127,6 +135,36 @@ std::vector<SurfacePoint> patchOf(const Round& shape, int count, double low, dou
   while (static_cast<int>(points.size()) < count) {
     const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
     if (p.normal.dot(p.point) < 0.0) points.push_back(p);
+  }
+  return points;
+}
+
+/// What a sensor at the origin sees of the far side, from inside.
+inline std::vector<SurfacePoint> bowlOf(const Sphere& sphere, int count, Random& random) {
+  std::vector<SurfacePoint> points;
+  while (static_cast<int>(points.size()) < count) {
+    const SurfacePoint p = pointOn(sphere, randomDirection(random));
+    if (p.normal.dot(p.point) > 0.0) points.push_back({p.point, -p.normal});
+  }
+  return points;
+}
+template <class Round>
+std::vector<SurfacePoint> wallOf(const Round& shape, int count, double low, double high, Random& random) {
+  std::vector<SurfacePoint> points;
+  while (static_cast<int>(points.size()) < count) {
+    const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
+    if (p.normal.dot(p.point) > 0.0) points.push_back({p.point, -p.normal});
+  }
+  return points;
+}
+
+/// Measured with noise of all axes alike (m, one standard deviation each) and normals turned about two axes (rad each).
+inline std::vector<SurfacePoint> measured(std::vector<SurfacePoint> points, double noise, double turn, Random& random) {
+  for (SurfacePoint& p : points) {
+    const Vec3 x = p.normal.unitOrthogonal(), y = p.normal.cross(x);
+    for (int axis = 0; axis < 3; ++axis) p.point[axis] += noise * random.gaussian();
+    const double along_x = turn * random.gaussian(), along_y = turn * random.gaussian();
+    p.normal = (p.normal + along_x * x + along_y * y).normalized();
   }
   return points;
 }

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Fits of all kinds and their scores; see competition.h.
+#include "core/competition.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/curvature.h"
+#include "core/fitting.h"
+#include "core/segmentation.h"
+
+namespace primitect {
+namespace {
+
+double radiusOf(const Shape& shape) {
+  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
+  return cylinder ? cylinder->radius : 0.0;
+}
+
+bool enabled(Kind kind, const Params& params) {
+  const bool switches[] = {params.detect_planes, params.detect_spheres, params.detect_cylinders, params.detect_cones};
+  return switches[static_cast<std::size_t>(kind)];
+}
+
+/// Where a fit begins.
+struct Start {
+  std::optional<Shape> shape;
+  bool concave;
+};
+
+/// The hypothesis itself, a plane, and every curved kind on every side that is wanted.
+std::vector<Start> startsFor(const Hypothesis& hypothesis, const SampleSet& set, const ProposalRules& rules) {
+  const Params& params = rules.limits.params;
+  std::vector<Start> starts;
+  const bool curved = curvesEnough(set, rules.noise);
+  const auto add = [&](const std::optional<Shape>& shape, bool concave) {
+    if (!shape || !enabled(kindOf(*shape), params)) return;
+    if (curved || kindOf(*shape) == Kind::plane) starts.push_back({shape, concave});
+  };
+  add(hypothesis.shape, hypothesis.concave);
+  add(fitFromMoments(Kind::plane, set), false);
+  for (const bool concave : {false, true}) {
+    if (!curved) break;
+    if (params.convexity == (concave ? "convex" : "concave")) continue;
+    for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+      add(fitFromMoments(kind, {set.samples, set.indices, concave ? -1.0 : 1.0}), concave);
+    }
+  }
+  return starts;
+}
+
+std::optional<Shape> refined(const std::optional<Shape>& start, const SampleSet& set, const NoiseModel& noise,
+                             double widen) {
+  if (!start) return std::nullopt;
+  constexpr double kSmallStep = 1e-5;  // m, rad: far below what few samples can tell
+  return refine(
+      *start, set, [&](const Vec3& p) { return widen * kInlierDeviations * noise.at(p); }, kSmallStep);
+}
+
+/// Calls use(trial) with the fit from each start that ends within the limits, evaluated; counts those that do not.
+template <class Use>
+int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+           const ProposalRules& rules, const Hypothesis& hypothesis, const Use& use) {
+  int refused = 0;
+  Hypothesis trial = hypothesis;
+  for (const Start& start : startsFor(hypothesis, {samples, set}, rules)) {
+    const SampleSet sample_set = {samples, set, start.concave ? -1.0 : 1.0};
+    // First with the tolerance that gathered the samples, so that a poor start is not left where it is.
+    const std::optional<Shape> shape =
+        refined(refined(start.shape, sample_set, rules.noise, rules.widen), sample_set, rules.noise, 1.0);
+    if (shape && !rules.limits.hold(*shape)) ++refused;
+    if (!shape || !rules.limits.hold(*shape)) continue;
+    trial.shape = *shape;
+    trial.concave = start.concave;
+    evaluate(samples, held, 1.0, trial);
+    use(trial);
+  }
+  return refused;
+}
+
+}  // namespace
+
+bool Limits::hold(const Shape& shape) const {
+  return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape) <= max_radius;
+}
+
+bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+                 const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
+  double best = 0.0;
+  Hypothesis winner;
+  const int refused = fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
+    if (!(trial.score > best)) return;
+    best = trial.score;
+    winner = trial;
+  });
+  if (refusals) (*refusals)[Refusal::limits] += refused;
+  if (best > 0.0) hypothesis = std::move(winner);
+  return best > 0.0;
+}
+
+Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+                const ProposalRules& rules, const Hypothesis& hypothesis) {
+  constexpr double kClose = 0.05;
+  Rival rival;
+  Hypothesis own = hypothesis;
+  evaluate(samples, held, 1.0, own);
+  double best = 0.0;
+  fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
+    if (kindOf(trial.shape) == kindOf(hypothesis.shape) || !(trial.score > best)) return;
+    best = trial.score;
+    rival.kind = kindOf(trial.shape);
+  });
+  rival.lead = (own.score - best) / static_cast<double>(set.size());
+  if (rival.lead > kClose) rival.kind.reset();
+  return rival;
+}
+
+}  // namespace primitect

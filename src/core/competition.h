@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The four kinds compete for given samples.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/hypothesis.h"
+#include "primitect/params.h"
+
+namespace primitect {
+
+/// What a shape may be.
+struct Limits {
+  const Params& params;
+  double max_radius;  ///< m, besides params.max_radius
+
+  bool hold(const Shape& shape) const;
+};
+
+/// How candidates are checked in this frame.
+struct ProposalRules {
+  NoiseModel noise;
+  Limits limits;
+  double widen;  ///< times the noise: how far off the shape of a candidate may be
+  double reach;  ///< m, of a candidate around its reference
+};
+
+/// The best of all kinds for these samples; false when none is within the limits or better than nothing.
+bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+                 const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals = nullptr);
+
+/// Who comes second for the samples of a hypothesis.
+struct Rival {
+  std::optional<Kind> kind;  ///< of the best other kind, if its lead is small
+  double lead = 1.0;         ///< score of the hypothesis over it, per sample
+};
+Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+                const ProposalRules& rules, const Hypothesis& hypothesis);
+
+}  // namespace primitect

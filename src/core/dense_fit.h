@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The final fit: on the points of the cloud themselves, of which the samples are a small part.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/competition.h"
+#include "core/noise.h"
+#include "primitect/cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Points of one label.
+struct LabelledPoints {
+  std::vector<std::uint32_t> index;  ///< in the cloud, at most as many as asked for, evenly taken
+  std::size_t all = 0;               ///< how many carry the label
+};
+
+/// Points of the labels 1 to `count`, at most `most` of each.
+std::vector<LabelledPoints> pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
+                                           std::size_t most);
+
+/// As samples without normals.
+Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise);
+
+/// The shape fitted to its points; the old one when that fails or breaks the limits. On many points a cylinder and a
+/// cone that tapers little can be told apart: both are tried for either.
+Shape refineOnPoints(const Shape& shape, const Samples& points, const NoiseModel& noise, const Limits& limits);
+
+}  // namespace primitect

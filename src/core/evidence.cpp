@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Looking at the border of a shape among the samples; see evidence.h.
+#include "core/evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "core/selection.h"
+
+namespace primitect {
+namespace {
+
+/// The surface at one sample goes on smoothly at the other: no step, no edge.
+bool continuous(const Samples& samples, std::uint32_t a, std::uint32_t b) {
+  constexpr double kLeastCosine = 0.87;  // 30 deg between the normals
+  constexpr double kSteepest = 0.45;     // sine of the angle between the way to the other and the surface
+  const Vec3 normal_a = samples.normal(a), normal_b = samples.normal(b);
+  if (!(normal_a.dot(normal_b) > kLeastCosine)) return false;
+  const Vec3 way = samples.point(b) - samples.point(a);
+  const double steepest = kSteepest * way.norm();
+  return std::abs(way.dot(normal_a)) < steepest && std::abs(way.dot(normal_b)) < steepest;
+}
+
+/// How the surface goes on from a sample of the shape.
+struct Border {
+  bool runs_on = false, runs_into = false;
+};
+
+Border borderAt(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
+                std::uint32_t self, std::uint32_t i) {
+  Border border;
+  for (const std::uint32_t j : graph.of(i)) {
+    if (owner[j] == self || !continuous(samples, i, j)) continue;
+    (owner[j] == kNobody ? border.runs_on : border.runs_into) = true;
+  }
+  return border;
+}
+
+/// What the weights are for; the same as features() of eval/report/calibration.py.
+using Features = std::array<double, 7>;
+
+Features featuresOf(Kind kind, const Evidence& e) {
+  const auto root = [](float number) { return std::sqrt(std::max(number, 0.0f)); };
+  const bool curved = kind != Kind::plane;
+  return {1.0,
+          std::log(std::max(e.inliers, 1.0f)),
+          e.gain,
+          e.against,
+          root(e.runs_into),
+          curved ? root(e.turn) : 0.0,
+          curved ? root(e.lead) : 0.0};
+}
+
+// Printed by eval/calibrate; a row a kind. How far a shape runs on into nothing known tells no more than what is
+// against it; nor does the residual along the border.
+constexpr std::array<Features, kKindCount> kWeights = {{
+    {{-7.34, 0.877, 8.82, -6.38, -2.25, 0, 0}},        // plane
+    {{-5.9, 0.0827, 7.92, -22.6, -4.69, 15.2, 1.29}},  // sphere
+    {{-16.3, 2.03, 0, -4.64, -1.61, 12.1, 8.9}},       // cylinder
+    {{-6.53, 1.12, 4.09, -15, -6, 6, 3.74}},           // cone
+}};
+
+}  // namespace
+
+Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
+                        std::uint32_t self, const Hypothesis& hypothesis) {
+  double inliers = 0.0, gain = 0.0, against = 0.0, open = 0.0, shared = 0.0, border = 0.0, residuals = 0.0;
+  Vec3 normals = Vec3::Zero();
+  for (const Support& support : hypothesis.support) {
+    const std::uint32_t i = support.sample;
+    if (owner[i] == kNobody && support.gain < 0.0f) against -= support.gain;
+    if (owner[i] != self) continue;
+    inliers += 1.0;
+    gain += support.gain;
+    normals += samples.normal(i);
+    const Border at = borderAt(samples, graph, owner, self, i);
+    open += at.runs_on ? 1.0 : 0.0;
+    shared += at.runs_into ? 1.0 : 0.0;
+    if (!at.runs_on && !at.runs_into) continue;
+    border += 1.0;
+    residuals += std::abs(distance(hypothesis.shape, samples.point(i))) / samples.sigma[i];
+  }
+  if (inliers == 0.0) return {};
+  const double disk_border = std::sqrt(4.0 * M_PI * inliers);
+  Evidence evidence;
+  evidence.inliers = static_cast<float>(inliers);
+  evidence.gain = static_cast<float>(gain / inliers);
+  evidence.against = static_cast<float>(against / inliers);
+  evidence.runs_on = static_cast<float>(open / disk_border);
+  evidence.runs_into = static_cast<float>(shared / disk_border);
+  evidence.border_residual = static_cast<float>(border > 0.0 ? residuals / border : 0.0);
+  evidence.turn = static_cast<float>(1.0 - normals.norm() / inliers);
+  return evidence;
+}
+
+double confidenceOf(Kind kind, const Evidence& evidence) {
+  const Features features = featuresOf(kind, evidence);
+  const Features& weights = kWeights[static_cast<std::size_t>(kind)];
+  const double sum = std::inner_product(features.begin(), features.end(), weights.begin(), 0.0);
+  // What is no number says nothing.
+  return std::isfinite(sum) ? 1.0 / (1.0 + std::exp(-sum)) : 0.0;
+}
+
+}  // namespace primitect

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Gathering what speaks for and against a chosen hypothesis, and how sure it makes us.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/hypothesis.h"
+#include "core/sample_graph.h"
+#include "primitect/evidence.h"
+
+namespace primitect {
+
+/// Evidence for hypothesis `self` of a selection with these owners of the samples. All but `lead`.
+Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
+                        std::uint32_t self, const Hypothesis& hypothesis);
+
+/// Probability that the shape is there and of this kind, [0, 1]: logistic regression over the evidence of detections in
+/// simulated scenes whose truth is known (eval/calibrate).
+double confidenceOf(Kind kind, const Evidence& evidence);
+
+}  // namespace primitect

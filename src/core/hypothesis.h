@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A shape with what it explains: the gain of every sample near it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/noise.h"
+#include "core/samples.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// What a shape makes of one sample near it: 1 for a sample on it whose normal is its own, falling with the square of
+/// distance and angle; above 0 for an inlier; below for one that is near, and alike, but does not fit.
+struct Support {
+  std::uint32_t sample;
+  float gain;
+};
+
+struct Hypothesis {
+  Shape shape;
+  bool concave = false;
+  double votes = 0.0;            ///< of the candidate that proposed it
+  std::vector<Support> support;  ///< in the order of the samples
+  double score = 0.0;            ///< sum of the gains less the price of the shape's parameters
+};
+
+/// The best gain that any hypothesis has at each sample; nothing yet: 0.
+using HeldGains = std::vector<float>;
+
+/// A sample with this gain needs no better explanation.
+constexpr float kWellExplained = 0.1f;
+
+/// Fills support and score from the shape. Samples that others explain well do not speak against it. widen: times the
+/// noise, for a shape that is not fitted yet.
+void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
+
+/// Takes the gains of the hypothesis into those held.
+void hold(const Hypothesis& hypothesis, HeldGains& held);
+
+/// Score that a shape with so many inliers pays for its parameters: a plane has three, a cone six.
+double priceOf(Kind kind, double inliers);
+
+/// Samples with a gain above 0.
+void inliersOf(const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers);
+
+}  // namespace primitect

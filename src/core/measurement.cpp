@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Putting the measures of a detection together; see measurement.h.
+#include "core/measurement.h"
+
+#include <cmath>
+
+#include "core/bias.h"
+#include "core/covariance.h"
+#include "core/coverage.h"
+#include "core/extent.h"
+#include "core/shared_noise.h"
+
+namespace primitect {
+namespace {
+
+float rmsDistance(const Shape& shape, const std::vector<Vec3>& points) {
+  double sum = 0.0;
+  for (const Vec3& point : points) sum += distance(shape, point) * distance(shape, point);
+  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
+}
+
+DepthRange rangeOf(const Params& params) {
+  return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
+}
+
+}  // namespace
+
+Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
+    : cloud_(cloud),
+      noise_(noise),
+      limits_(limits),
+      sigma_([noise](const Vec3& p) { return noise.at(p); }),
+      truncation_(cloud, rangeOf(params), sigma_) {}
+
+Shape Measurement::fitted(const Shape& shape, const Samples& samples, const std::vector<Vec3>& points) const {
+  const Shape fit = refineOnPoints(shape, samples, noise_, limits_);
+  const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
+  const Shape unbiased = withoutBias(fit, points, sigma_, direction);
+  return limits_.hold(unbiased) ? unbiased : fit;
+}
+
+Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled) const {
+  const Samples samples = samplesAt(cloud_, labelled.index, noise_);
+  std::vector<Vec3> points;
+  for (std::size_t k = 0; k < samples.size(); ++k) points.push_back(samples.point(k));
+  Detection measured = detection;
+  measured.shape = canonical(fitted(detection.shape, samples, points));
+  measured.extent = measureExtent(measured.shape, points);
+  measured.inlier_count = static_cast<std::uint32_t>(labelled.all);
+  measured.rms_error = rmsDistance(measured.shape, points);
+  measured.coverage = measureCoverage(measured.shape, measured.extent, points);
+  measured.truncated = truncation_.find(measured.shape, measured.extent, labelled.index);
+  const double shared = measureSharedNoise(measured.shape, points, sigma_);
+  const Uncertainty uncertainty = measureUncertainty(measured.shape, measured.extent, points, sigma_, shared);
+  measured.covariance = uncertainty.pose;
+  measured.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
+  measured.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
+  return measured;
+}
+
+}  // namespace primitect

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The final numbers of a detection, measured on the points of the cloud: fit, extent, covariance, what was not seen.
+#pragma once
+
+#include <functional>
+
+#include "core/competition.h"
+#include "core/dense_fit.h"
+#include "core/noise.h"
+#include "core/truncation.h"
+#include "primitect/cloud.h"
+#include "primitect/params.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Of one frame.
+class Measurement {
+ public:
+  Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits);
+
+  /// The detection with its shape fitted to these points, and all that follows from the fit.
+  Detection of(const Detection& detection, const LabelledPoints& points) const;
+
+ private:
+  Shape fitted(const Shape& shape, const Samples& samples, const std::vector<Vec3>& points) const;
+
+  const Cloud& cloud_;
+  NoiseModel noise_;
+  Limits limits_;
+  std::function<double(const Vec3&)> sigma_;
+  TruncationFinder truncation_;
+};
+
+}  // namespace primitect

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How far measured points stray from the surface they were measured on, and their normals from its normal.
+#pragma once
+
+#include <algorithm>
+
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Axial noise of structured-light cameras (m, one standard deviation) at depth z (Nguyen et al., 3DIMPVT 2012).
+inline double axialNoise(double z) { return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4); }
+
+struct NoiseModel {
+  double distance = 0.0;     ///< m, one standard deviation of the distance to the surface, the same everywhere
+  double depth_share = 0.0;  ///< above 0: a depth camera; then its axial noise, but at least this share of z
+  double angle = 0.5;        ///< rad, a normal that is off by more is hardly noise, unless more of it is known
+
+  /// One standard deviation (m) at this point.
+  double at(const Vec3& point) const {
+    if (depth_share <= 0.0) return distance;
+    return std::max(axialNoise(point.z()), depth_share * point.z());
+  }
+};
+
+struct Samples;
+
+/// Fills sigma and normal_limit of the samples, whose normal_sigma is known.
+void applyNoise(const NoiseModel& noise, Samples& samples);
+
+/// A normal is hardly noise when it is off by this many standard deviations (about each axis).
+constexpr double kNormalDeviations = 4.0;
+
+/// A point farther than this many standard deviations from a shape is not its inlier.
+constexpr double kInlierDeviations = 3.0;
+
+}  // namespace primitect

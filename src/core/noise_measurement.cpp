@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Robust deviations of distances and normals; see noise_measurement.h.
+#include "core/noise_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/proposal.h"
+
+namespace primitect {
+namespace {
+
+/// 1.4826 times the median: the standard deviation of a normal distribution, whatever lies outside.
+double robustDeviation(std::vector<double>& magnitudes) {
+  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+  return 1.4826 * *middle;
+}
+
+double lowerQuartile(std::vector<double>& values) {
+  const auto quartile = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), quartile, values.end());
+  return *quartile;
+}
+
+}  // namespace
+
+NoiseModel measureNoise(const Samples& samples, const std::vector<Candidate>& candidates, const ProposalRules& rules) {
+  constexpr std::size_t kStrongest = 12;
+  constexpr std::size_t kFewestInliers = 20;
+  constexpr double kSmallestShare = 0.02;  // of the largest: exact data has float rounding
+  const HeldGains nothing(samples.size(), 0.0f);
+  std::vector<double> distances, angles, magnitudes;
+  std::vector<std::uint32_t> set;
+  for (std::size_t k = 0; k < std::min(candidates.size(), kStrongest); ++k) {
+    Hypothesis hypothesis;
+    gather(samples, nothing, candidates[k], rules, hypothesis, set);
+    if (set.size() < kFewestInliers || !bestOfKinds(samples, nothing, set, rules, hypothesis)) continue;
+    magnitudes.clear();
+    for (const std::uint32_t i : set) magnitudes.push_back(std::abs(distance(hypothesis.shape, samples.point(i))));
+    distances.push_back(robustDeviation(magnitudes));
+    magnitudes.clear();
+    for (const std::uint32_t i : set) {
+      const double cosine = std::abs(samples.normal(i).dot(normalAt(hypothesis.shape, samples.point(i))));
+      magnitudes.push_back(std::acos(std::min(cosine, 1.0)));
+    }
+    // The median of a Rayleigh distribution is 1.18 times its parameter, 1.4826 / 1.7456 of what robustDeviation gives.
+    angles.push_back(robustDeviation(magnitudes) / 1.7456);
+  }
+  NoiseModel noise = rules.noise;
+  if (distances.empty()) return noise;
+  noise.distance = std::clamp(lowerQuartile(distances), kSmallestShare * noise.distance, noise.distance);
+  constexpr double kAngleDeviations = 4.0, kSmallestAngle = 0.12;  // rad: at edges normals are worse than elsewhere
+  noise.angle = std::min(std::max(kAngleDeviations * lowerQuartile(angles), kSmallestAngle), noise.angle);
+  return noise;
+}
+
+}  // namespace primitect

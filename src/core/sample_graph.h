@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which samples are next to each other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/samples.h"
+
+namespace primitect {
+
+/// The nearest other samples of each sample.
+class SampleGraph {
+ public:
+  static constexpr int kNeighbors = 8;
+  using Neighbors = std::array<std::uint32_t, kNeighbors>;
+
+  /// Anew for these samples; with fewer than kNeighbors others, a sample is its own neighbour in their place.
+  void build(const Samples& samples);
+
+  const Neighbors& of(std::uint32_t sample) const { return neighbors_[sample]; }
+
+  /// Of the set (rising indices), those that can be reached from the start through neighbours in the set, in rising
+  /// order. The start need not be in the set; nothing when none of its neighbours is.
+  void connected(const std::vector<std::uint32_t>& set, std::uint32_t start, std::vector<std::uint32_t>& part);
+
+ private:
+  std::vector<Neighbors> neighbors_;
+  std::vector<std::uint8_t> state_;  ///< of each sample while connected() runs
+};
+
+}  // namespace primitect

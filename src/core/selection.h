@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which hypotheses explain the samples best together: each sample counts for one of them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/hypothesis.h"
+
+namespace primitect {
+
+/// Which hypothesis a sample belongs to: index in the pool.
+constexpr std::uint32_t kNobody = 0xffffffffu;
+
+struct Selection {
+  std::vector<std::uint32_t> chosen;  ///< indices in the pool, best first
+  std::vector<std::uint32_t> owner;   ///< of each sample: index in the pool, or kNobody
+};
+
+/// Chooses a subset of the pool with a large sum over the samples of the best gain of any chosen one, less what each
+/// chosen one costs: its price and the samples near it that it does not fit and nobody explains. Greedy, then with
+/// exchanges until nothing improves. Each chosen one owns at least min_inliers samples.
+Selection selectHypotheses(const Samples& samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers);
+
+}  // namespace primitect

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of a frame and what they keep between frames; only for detector.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "core/clustering.h"
+#include "core/dense_fit.h"
+#include "core/extent.h"
+#include "core/labeling.h"
+#include "core/measurement.h"
+#include "core/neighbors.h"
+#include "core/normals.h"
+#include "core/pair_voting.h"
+#include "core/sampling.h"
+#include "core/segmentation.h"
+#include "core/verification.h"
+#include "primitect/detector.h"
+
+namespace primitect {
+
+/// Fewer points than this cannot tell a shape from chance.
+constexpr std::uint32_t kFewestPoints = 16;
+
+inline Status statusOf(const Cloud& cloud) {
+  if (cloud.valid_count == 0) return Status::empty_input;
+  return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
+}
+
+inline float rmsDistance(const Shape& shape, const std::vector<Vec3>& points) {
+  double sum = 0.0;
+  for (const Vec3& point : points) sum += distance(shape, point) * distance(shape, point);
+  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
+}
+
+inline Detection describe(const Segment& segment, const Samples& samples) {
+  std::vector<Vec3> inliers;
+  for (const std::uint32_t i : segment.inliers) inliers.push_back(samples.point(i));
+  Detection detection;
+  detection.shape = canonical(segment.candidate.shape);
+  detection.concave = segment.candidate.concave;
+  detection.extent = measureExtent(detection.shape, inliers);
+  detection.votes = static_cast<float>(segment.candidate.votes);
+  detection.inlier_count = static_cast<std::uint32_t>(inliers.size());
+  detection.rms_error = rmsDistance(detection.shape, inliers);
+  detection.confidence = static_cast<float>(segment.confidence);
+  detection.evidence = segment.evidence;
+  detection.rival = segment.rival;
+  return detection;
+}
+
+inline void sortByVotes(std::vector<Candidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
+}
+
+inline bool isLargePlane(const Detection& item, std::size_t samples) {
+  constexpr double kLargeShare = 0.1;
+  return kindOf(item.shape) == Kind::plane && item.inlier_count > kLargeShare * static_cast<double>(samples);
+}
+
+/// What a detector keeps between frames so that it need not be allocated anew.
+struct Detector::Workspace {
+  explicit Workspace(const Params& checked_params)
+      : params(checked_params), voting(checked_params), verification(checked_params) {}
+
+  void done(const char* stage) const {
+    if (stage_done) stage_done(stage);
+  }
+
+  /// Forgets the last frame and looks whether this one can be used.
+  void begin(const Cloud& cloud) {
+    samples.clear();
+    all_samples.clear();
+    segments.clear();
+    normal_source.reset();
+    result = {};
+    result.points_in = static_cast<std::uint32_t>(cloud.size());
+    result.points_used = cloud.valid_count;
+    result.status = statusOf(cloud);
+  }
+
+  /// Draws samples with normals from the points that none of these explains.
+  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
+    labels.clear();
+    // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
+    constexpr double kOutskirts = 2.0;
+    if (round > 0) labelPoints(cloud, explaining, tolerance.scaled(kOutskirts), labels);
+    // No point votes twice: what was drawn counts as taken.
+    for (const std::uint32_t i : all_samples.index) labels[i] = 1;
+    drawSamples(cloud, labels, count, static_cast<std::uint64_t>(params.seed) + round, samples);
+  }
+
+  /// d_s, and what noise to expect, from the first samples.
+  void measureScale(const Cloud& cloud) {
+    result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
+    // All points in one place have no scale and no normals.
+    if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
+    tolerance = {params.inlier_distance * result.scene_diameter, 0.0, std::cos(params.inlier_angle_deg * M_PI / 180.0)};
+    const bool depth_camera = params.inlier_depth_share > 0.0 && seenByDepthCamera(cloud, normal_source);
+    verification.begin({result.scene_diameter, depth_camera});
+  }
+
+  /// The samples of a round and what they vote for; false when there is nothing left to vote.
+  bool vote(const Cloud& cloud, int round) {
+    draw(cloud, result.items, params.samples, round);
+    done("sample");
+    if (round == 0) measureScale(cloud);
+    if (result.status != Status::ok || samples.size() < kFewestPoints) return false;
+    estimateNormals(cloud, params, normal_source, samples);
+    done("normals");
+    voting.vote(samples, result.scene_diameter, candidates);
+    done("vote");
+    return true;
+  }
+
+  /// The paper's way: what most references agree on.
+  void segmentByVotes() {
+    clusterCandidates(candidates, params, result.scene_diameter);
+    selectSegments(samples, candidates, params, tolerance, segments);
+    all_samples.append(samples);
+    assignSamples(all_samples, params, tolerance, segments);
+    describeSegments(segments, all_samples);
+  }
+
+  /// Normals that the cloud brings may be too poor for its noise: measured anew, they vote again.
+  bool improveNormals(const Cloud& cloud) {
+    constexpr double kPoor = 0.1, kWanted = 0.05;  // rad, about each axis
+    const NoiseModel& noise = verification.noise();
+    const bool own = params.use_cloud_normals && cloud.hasNormals() && !cloud.organized();
+    if (!params.improve_normals || !own || noise.angle < kPoor * kNormalDeviations) return false;
+    normal_source.neighbor_count = neighborsFor(cloud, samples, noise.distance, kWanted, normal_source);
+    estimateNormals(cloud, params, normal_source, samples);
+    voting.vote(samples, result.scene_diameter, candidates);
+    sortByVotes(candidates);
+    return true;
+  }
+
+  void segmentVerified(const Cloud& cloud, int round) {
+    sortByVotes(candidates);
+    if (round == 0) verification.measureNoise(samples, candidates);
+    if (round == 0 && improveNormals(cloud)) verification.measureNoise(samples, candidates);
+    all_samples.append(samples);
+    verification.addRound(samples, candidates);
+    useVerified();
+  }
+
+  void useVerified() {
+    const NoiseModel& noise = verification.noise();
+    tolerance.distance = kInlierDeviations * noise.distance;
+    tolerance.distance_per_depth = kInlierDeviations * noise.depth_share;
+    describeSegments(verification.segments(), verification.samples());
+  }
+
+  /// More samples where the shapes are, without the points of large planes: these need no closer look.
+  void lookCloser(const Cloud& cloud) {
+    std::vector<Detection> large;
+    for (const Detection& item : result.items) {
+      if (isLargePlane(item, all_samples.size())) large.push_back(item);
+    }
+    draw(cloud, large, params.closer_samples, params.rounds);
+    estimateNormals(cloud, params, normal_source, samples);
+    all_samples.append(samples);
+    verification.conclude(samples);
+    useVerified();
+    result.refusals = verification.refusals();
+  }
+
+  /// The final numbers come from the points of the cloud.
+  void measureOnCloud(const Cloud& cloud) {
+    constexpr std::size_t kMostPoints = 24576;
+    labelPoints(cloud, result.items, tolerance, labels);
+    const std::vector<LabelledPoints> points = pointsOfLabels(labels, result.items.size(), kMostPoints);
+    const Measurement measurement(cloud, params, verification.noise(), verification.limits());
+    std::vector<Detection> measured;
+    for (std::size_t k = 0; k < result.items.size(); ++k) {
+      if (points[k].all >= static_cast<std::size_t>(params.min_inliers)) {
+        measured.push_back(measurement.of(result.items[k], points[k]));
+      } else {
+        ++result.refusals[Refusal::few_inliers];
+      }
+    }
+    result.items = std::move(measured);
+  }
+
+  void describeSegments(const std::vector<Segment>& described, const Samples& of) {
+    result.items.clear();
+    for (const Segment& segment : described) {
+      if (!segment.inliers.empty()) result.items.push_back(describe(segment, of));
+    }
+    result.samples = static_cast<std::uint32_t>(of.size());
+  }
+
+  Params params;
+  std::function<void(const char*)> stage_done;
+  PairVoting voting;
+  Verification verification;
+  Samples samples;      ///< of this round
+  Samples all_samples;  ///< of all rounds of this frame
+  Tolerance tolerance;  ///< of what belongs to a shape
+  std::vector<Candidate> candidates;
+  std::vector<Segment> segments;  ///< by votes alone
+  std::vector<std::uint32_t> labels;
+  NormalSource normal_source;  ///< of this frame
+  Detections result;
+};
+
+}  // namespace primitect

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The final fit on points of the cloud.
+#include "core/dense_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "test/support/hypotheses.h"
+
+namespace primitect {
+namespace {
+
+using test::measured;
+using test::patchOf;
+using test::samplesWith;
+using test::SurfacePoint;
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kNoise = 0.001;
+const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
+
+/// A cylinder of 5 cm around the height 0, and the cone of this angle that touches it there.
+const Cylinder kCan = {Vec3(0, 0, 1), Vec3(0, 1, 0), 0.05};
+Cone taperedCan(double half_angle) {
+  return {kCan.point - kCan.radius / std::tan(half_angle) * kCan.axis, kCan.axis, half_angle};
+}
+Samples samplesOfTapered(double half_angle, int count, std::uint64_t seed) {
+  Random random(seed);
+  const double middle = kCan.radius / std::tan(half_angle);
+  const auto points = patchOf(taperedCan(half_angle), count, middle - 0.05, middle + 0.05, random);
+  return samplesWith(kNoiseModel, measured(points, kNoise, 0.0, random));
+}
+Samples samplesOfCan(int count, std::uint64_t seed) {
+  Random random(seed);
+  return samplesWith(kNoiseModel, measured(patchOf(kCan, count, -0.05, 0.05, random), kNoise, 0.0, random));
+}
+
+Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
+  return refineOnPoints(shape, points, kNoiseModel, {params, 0.4});
+}
+
+TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {
+  for (const bool upside_down : {false, true}) {
+    const Samples points = samplesOfTapered(10.0 * kDegree, 3000, 51);
+    const Cylinder proposal = {kCan.point, upside_down ? Vec3(-kCan.axis) : kCan.axis, kCan.radius};
+    const Shape found = refined(proposal, points);
+    ASSERT_EQ(kindOf(found), Kind::cone);
+    // sigma over half the length of 10 cm by sqrt(3000), times about 4 for what the other parameters take away.
+    EXPECT_NEAR(std::get<Cone>(found).half_angle, 10.0 * kDegree, 3.0 * 4.0 * kNoise / 0.05 / std::sqrt(3000.0));
+    EXPECT_GT(std::get<Cone>(found).axis.dot(kCan.axis), 0.999);
+  }
+}
+
+TEST(RefineOnPoints, LeavesACylinderACylinder) {
+  Params params;
+  params.min_half_angle_deg = 0.0;  // so that it is the fit that decides, not the limit
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Shape found = refined(kCan, samplesOfCan(3000, seed), params);
+    ASSERT_EQ(kindOf(found), Kind::cylinder) << seed;
+    EXPECT_NEAR(std::get<Cylinder>(found).radius, kCan.radius, 3.0 * 4.0 * kNoise / std::sqrt(3000.0)) << seed;
+  }
+}
+
+TEST(RefineOnPoints, TurnsAConeOnACylinderIntoTheCylinder) {
+  Params params;
+  params.min_half_angle_deg = 0.0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Shape found = refined(taperedCan(2.0 * kDegree), samplesOfCan(3000, seed), params);
+    ASSERT_EQ(kindOf(found), Kind::cylinder) << seed;
+    EXPECT_NEAR(std::get<Cylinder>(found).radius, kCan.radius, 3.0 * 4.0 * kNoise / std::sqrt(3000.0));
+  }
+}
+
+TEST(RefineOnPoints, KeepsLimits) {
+  Params params;
+  params.detect_cones = false;
+  EXPECT_NE(kindOf(refined(kCan, samplesOfTapered(10.0 * kDegree, 1000, 52), params)), Kind::cone);
+  params.detect_cones = true;
+  params.min_half_angle_deg = 12.0;
+  EXPECT_NE(kindOf(refined(kCan, samplesOfTapered(10.0 * kDegree, 1000, 52), params)), Kind::cone);
+  // The fit is beyond the limit: the shape stays what it was.
+  params.max_radius = 0.0495;
+  const Cylinder smaller = {kCan.point, kCan.axis, 0.049};
+  EXPECT_EQ(std::get<Cylinder>(refined(smaller, samplesOfCan(1000, 53), params)).radius, 0.049);
+}
+
+TEST(RefineOnPoints, KeepsAShapeThatCannotBeFitted) {
+  const Sphere ball = {Vec3(0, 0, 1), 0.1};
+  for (const std::size_t count : {0, 1, 2}) {
+    const std::vector<SurfacePoint> same(count, {Vec3(0, 0, 0.9), Vec3(0, 0, -1)});
+    const Shape found = refined(ball, samplesWith(kNoiseModel, same));
+    ASSERT_EQ(kindOf(found), Kind::sphere);
+    EXPECT_LT((std::get<Sphere>(found).center - ball.center).norm(), 1e-3) << count;
+  }
+}
+
+TEST(RefineOnPoints, LeavesOutPointsBeyondTheNoise) {
+  Random random(54);
+  const Plane wall = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  std::vector<SurfacePoint> points = measured(patchOf(wall, 1000, 0.1, random), kNoise, 0.0, random);
+  for (int k = 0; k < 200; ++k) points[k].point.z() -= 0.02;  // twenty standard deviations, all to one side
+  const Shape found = refined(wall, samplesWith(kNoiseModel, points));
+  EXPECT_LT(std::abs(distance(found, wall.point)), 3.0 * kNoise / std::sqrt(800.0));
+}
+
+TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
+  std::vector<std::uint32_t> labels(10000, 0);
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = i < 9000 ? i % 2 : 2;
+  const std::vector<LabelledPoints> points = pointsOfLabels(labels, 3, 1000);
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0].all, 4500u);
+  EXPECT_EQ(points[1].all, 1000u);
+  EXPECT_EQ(points[2].all, 0u);
+  EXPECT_TRUE(points[2].index.empty());
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    EXPECT_LE(points[k].index.size(), 1000u);
+    EXPECT_GE(points[k].index.size(), 500u);
+    for (const std::uint32_t i : points[k].index) EXPECT_EQ(labels[i], k + 1);
+  }
+  // Evenly: the mean place is the middle of all of them.
+  const std::vector<std::uint32_t>& first = points[0].index;
+  const double mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
+  EXPECT_NEAR(mean, 4500.0, 50.0);
+}
+
+TEST(SamplesAt, AreThePointsOfTheCloudWithTheNoiseOfTheirDepth) {
+  const Cloud cloud = test::cloudOf({{Vec3(0, 0, 1), Vec3(0, 0, -1)}, {Vec3(1, 2, 3), Vec3(0, 0, -1)}});
+  const NoiseModel camera = {0.0, 0.01, 0.5};
+  const Samples samples = samplesAt(cloud, {1, 0}, camera);
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples.point(0), Vec3(1, 2, 3));
+  EXPECT_EQ(samples.index[0], 1u);
+  EXPECT_FLOAT_EQ(samples.sigma[0], 0.03f);
+  EXPECT_FLOAT_EQ(samples.sigma[1], 0.01f);
+}
+
+}  // namespace
+}  // namespace primitect

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the border of a shape tells, and how sure evidence makes us.
+#include "core/evidence.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/selection.h"
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::patchOf;
+using test::SurfacePoint;
+
+constexpr double kNoise = 0.001;
+constexpr std::uint32_t kSelf = 0, kOther = 1;
+
+/// Samples on surfaces, each owned by one shape or nobody, and what speaks for the shape kSelf.
+class Scene {
+ public:
+  void add(const std::vector<SurfacePoint>& points, std::uint32_t owner) {
+    points_.insert(points_.end(), points.begin(), points.end());
+    owner_.resize(points_.size(), owner);
+  }
+
+  Evidence evidenceOf(const Shape& shape) const {
+    Samples samples = test::samplesOf(points_);
+    samples.resize(points_.size());
+    NoiseModel noise;
+    noise.distance = kNoise;
+    applyNoise(noise, samples);
+    SampleGraph graph;
+    graph.build(samples);
+    Hypothesis hypothesis;
+    hypothesis.shape = shape;
+    evaluate(samples, HeldGains(samples.size(), 0.0f), 1.0, hypothesis);
+    return gatherEvidence(samples, graph, owner_, kSelf, hypothesis);
+  }
+
+ private:
+  std::vector<SurfacePoint> points_;
+  std::vector<std::uint32_t> owner_;
+};
+
+/// A patch of a large ball, cut in two: the cap within 30 deg of the view, and what goes on around it.
+struct CutBall {
+  Sphere sphere{Vec3(0, 0, 1.2), 0.2};
+  std::vector<SurfacePoint> cap, around;
+
+  CutBall() {
+    Random random(5);
+    for (const SurfacePoint& p : patchOf(sphere, 1500, random)) (-p.normal.z() > 0.87 ? cap : around).push_back(p);
+  }
+};
+
+/// Evidence that is neither good nor bad.
+Evidence usualEvidence(Kind kind) {
+  Evidence evidence;
+  evidence.inliers = 60.0f;
+  evidence.gain = 0.75f;
+  evidence.against = 0.2f;
+  evidence.runs_on = 0.2f;
+  evidence.runs_into = 0.1f;
+  evidence.border_residual = 0.8f;
+  if (kind != Kind::plane) evidence.turn = 0.2f, evidence.lead = 0.1f;
+  return evidence;
+}
+
+constexpr std::array<Kind, kKindCount> kKinds = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
+
+TEST(Evidence, ABallInFrontOfAWallRunsOnNowhere) {
+  Random random(3);
+  const Sphere ball = {Vec3(0, 0, 1), 0.08};
+  Scene scene;
+  scene.add(patchOf(ball, 300, random), kSelf);
+  // So near that neighbours are found across the outline.
+  scene.add(patchOf(Plane{Vec3(0, 0, 1.05), Vec3(0, 0, -1)}, 1000, 0.15, random), kNobody);
+  const Evidence evidence = scene.evidenceOf(ball);
+  EXPECT_EQ(evidence.inliers, 300.0f);
+  EXPECT_LT(evidence.runs_on, 0.05f);
+  EXPECT_EQ(evidence.runs_into, 0.0f);
+}
+
+TEST(Evidence, ACapRunsOnIntoTheSurfaceThatItWasCutFrom) {
+  const CutBall ball;
+  Scene scene;
+  scene.add(ball.cap, kSelf);
+  scene.add(ball.around, kNobody);
+  const Evidence evidence = scene.evidenceOf(ball.sphere);
+  // That of a disk is 1; samples are not in rows, so that its border is more or less than one sample wide.
+  EXPECT_NEAR(evidence.runs_on, 1.0f, 0.4f);
+  EXPECT_EQ(evidence.runs_into, 0.0f);
+  // The samples lie on the shape, as exactly as single precision tells: 1e-7 m of 1 mm.
+  EXPECT_NEAR(evidence.border_residual, 0.0f, 1e-3f);
+}
+
+TEST(Evidence, ACapRunsIntoTheOtherShapeThatOwnsTheRest) {
+  const CutBall ball;
+  Scene scene;
+  scene.add(ball.cap, kSelf);
+  scene.add(ball.around, kOther);
+  const Evidence evidence = scene.evidenceOf(ball.sphere);
+  EXPECT_NEAR(evidence.runs_into, 1.0f, 0.4f);
+  EXPECT_EQ(evidence.runs_on, 0.0f);
+}
+
+TEST(Evidence, OnlyWhatNobodyExplainsSpeaksAgainstAShape) {
+  Random random(4);
+  const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  // Four standard deviations off: near, but no inliers.
+  std::vector<SurfacePoint> beside = patchOf(plane, 100, 0.1, random);
+  for (SurfacePoint& p : beside) p.point.z() += 4.0 * kNoise;
+  const auto againstWhenOwnedBy = [&](std::uint32_t owner) {
+    Random same(6);
+    Scene scene;
+    scene.add(patchOf(plane, 200, 0.1, same), kSelf);
+    scene.add(beside, owner);
+    return scene.evidenceOf(plane).against;
+  };
+  // 100 times (4/3)^2 - 1 over 200 inliers.
+  EXPECT_NEAR(againstWhenOwnedBy(kNobody), 0.389f, 0.01f);
+  EXPECT_EQ(againstWhenOwnedBy(kOther), 0.0f);
+}
+
+TEST(Evidence, TurnTellsAPlaneFromHalfASphere) {
+  Random random(7);
+  const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  const Sphere ball = {Vec3(0, 0, 1), 0.08};
+  Scene flat, round;
+  flat.add(patchOf(plane, 200, 0.1, random), kSelf);
+  round.add(patchOf(ball, 2000, random), kSelf);
+  EXPECT_NEAR(flat.evidenceOf(plane).turn, 0.0f, 1e-5f);
+  // The patch ends where 0.1 of the normal looks at the sensor: the mean of that share is 0.55.
+  EXPECT_NEAR(round.evidenceOf(ball).turn, 0.45f, 0.03f);
+}
+
+TEST(Evidence, OfAShapeWithoutSamplesIsNothing) {
+  EXPECT_EQ(Scene().evidenceOf(Sphere{Vec3(0, 0, 1), 0.1}).inliers, 0.0f);
+}
+
+TEST(Confidence, FallsWithWhatSpeaksAgainstAShape) {
+  for (const Kind kind : kKinds) {
+    Evidence more = usualEvidence(kind);
+    more.against *= 2.0f;
+    EXPECT_LT(confidenceOf(kind, more), confidenceOf(kind, usualEvidence(kind))) << kindName(kind);
+  }
+}
+
+TEST(Confidence, RisesWithTheInliers) {
+  for (const Kind kind : kKinds) {
+    Evidence more = usualEvidence(kind);
+    more.inliers *= 2.0f;
+    EXPECT_GT(confidenceOf(kind, more), confidenceOf(kind, usualEvidence(kind))) << kindName(kind);
+  }
+}
+
+TEST(Confidence, RisesWithTheLeadOverOtherKinds) {
+  for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+    Evidence more = usualEvidence(kind);
+    more.lead *= 3.0f;
+    EXPECT_GT(confidenceOf(kind, more), confidenceOf(kind, usualEvidence(kind))) << kindName(kind);
+  }
+}
+
+TEST(Confidence, IsAProbabilityForAbsurdEvidence) {
+  const float huge = std::numeric_limits<float>::max(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (float Evidence::*number : {&Evidence::inliers, &Evidence::gain, &Evidence::against, &Evidence::runs_on,
+                                  &Evidence::runs_into, &Evidence::border_residual, &Evidence::turn, &Evidence::lead}) {
+    for (const float value : {-huge, -1.0f, 0.0f, huge, std::numeric_limits<float>::infinity(), nan}) {
+      for (const Kind kind : kKinds) {
+        Evidence evidence = usualEvidence(kind);
+        evidence.*number = value;
+        const double confidence = confidenceOf(kind, evidence);
+        EXPECT_TRUE(0.0 <= confidence && confidence <= 1.0) << kindName(kind) << " " << value << ": " << confidence;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace primitect

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What shapes make of the samples near them.
+#include "core/hypothesis.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <optional>
+
+#include "test/support/hypotheses.h"
+
+namespace primitect {
+namespace {
+
+using test::hypothesisOf;
+using test::pointOn;
+using test::samplesWith;
+using test::SurfacePoint;
+
+/// 1 mm, so that 3 mm are the tolerance; normals off by half a radian are hardly noise.
+const NoiseModel kNoise = {0.001, 0.0, 0.5};
+constexpr double kTolerance = 0.003;
+
+/// Seen from the origin; none passes through it, so that signs of distances are not lucky.
+const Plane kPlane = {Vec3(0.1, -0.2, 1.0), Vec3(0.3, 0.2, -0.9).normalized()};
+const Sphere kSphere = {Vec3(0.1, 0.0, 1.0), 0.08};
+const Cylinder kCylinder = {Vec3(0.0, 0.1, 1.0), Vec3(1.0, 2.0, 0.5).normalized(), 0.05};
+const Cone kCone = {Vec3(0.0, 0.1, 1.0), Vec3(1.0, -2.0, 0.5).normalized(), 0.4};
+
+/// A point on each kind with its outward normal.
+const std::vector<std::pair<Shape, SurfacePoint>> kPoints = {{kPlane, pointOn(kPlane, 0.1, 0.2)},
+                                                             {kSphere, pointOn(kSphere, Vec3(1, 2, -2) / 3.0)},
+                                                             {kCylinder, pointOn(kCylinder, 0.1, 2.0)},
+                                                             {kCone, pointOn(kCone, 0.1, 2.0)}};
+
+/// The surface point moved along its normal (m), its normal then turned (rad) about some axis across it.
+SurfacePoint strayed(const SurfacePoint& p, double distance, double angle) {
+  const Vec3 across = p.normal.unitOrthogonal();
+  return {p.point + distance * p.normal, std::cos(angle) * p.normal + std::sin(angle) * across};
+}
+
+/// The gain of a lone sample; nothing when the shape does not look at it.
+std::optional<double> gainOf(const Shape& shape, const SurfacePoint& p, bool concave = false,
+                             const NoiseModel& noise = kNoise) {
+  const Hypothesis hypothesis = hypothesisOf(shape, samplesWith(noise, {p}), concave);
+  if (hypothesis.support.empty()) return std::nullopt;
+  return hypothesis.support[0].gain;
+}
+
+// Float holds points of 1 m to 1e-7, 3e-5 of the tolerance.
+constexpr double kRounding = 1e-3;
+
+TEST(Gain, IsOneOnTheSurfaceWithItsNormal) {
+  for (const auto& [shape, p] : kPoints) {
+    ASSERT_TRUE(gainOf(shape, p)) << kindName(kindOf(shape));
+    EXPECT_NEAR(*gainOf(shape, p), 1.0, kRounding) << kindName(kindOf(shape));
+  }
+}
+
+TEST(Gain, FallsWithTheSquareOfTheDistanceOnEitherSide) {
+  for (const auto& [shape, p] : kPoints) {
+    for (const double share : {-0.9, -0.5, 0.3, 0.7}) {
+      const std::optional<double> gain = gainOf(shape, strayed(p, share * kTolerance, 0.0));
+      ASSERT_TRUE(gain) << kindName(kindOf(shape));
+      EXPECT_NEAR(*gain, 1.0 - share * share, kRounding) << kindName(kindOf(shape)) << " " << share;
+    }
+  }
+}
+
+TEST(Gain, FallsWithTheAngle) {
+  for (const auto& [shape, p] : kPoints) {
+    double last = 1.0;
+    for (const double share : {0.3, 0.6, 0.9}) {
+      const std::optional<double> gain = gainOf(shape, strayed(p, 0.0, share * kNoise.angle));
+      ASSERT_TRUE(gain) << kindName(kindOf(shape));
+      EXPECT_LT(*gain, last - 0.05) << kindName(kindOf(shape)) << " " << share;
+      EXPECT_GT(*gain, 0.0) << kindName(kindOf(shape)) << " " << share;
+      last = *gain;
+    }
+  }
+}
+
+TEST(Gain, IsNegativeBetweenOneAndTwoTolerances) {
+  for (const auto& [shape, p] : kPoints) {
+    for (const double share : {-1.9, -1.05, 1.05, 1.5, 1.9}) {
+      const std::optional<double> gain = gainOf(shape, strayed(p, share * kTolerance, 0.0));
+      ASSERT_TRUE(gain) << kindName(kindOf(shape)) << " " << share;
+      EXPECT_LT(*gain, 0.0) << kindName(kindOf(shape)) << " " << share;
+    }
+  }
+}
+
+TEST(Gain, IsNoneBeyondTwoTolerancesOrWithTheNormalOfAnotherSurface) {
+  for (const auto& [shape, p] : kPoints) {
+    EXPECT_FALSE(gainOf(shape, strayed(p, 2.05 * kTolerance, 0.0))) << kindName(kindOf(shape));
+    EXPECT_FALSE(gainOf(shape, strayed(p, -2.05 * kTolerance, 0.0))) << kindName(kindOf(shape));
+    EXPECT_FALSE(gainOf(shape, strayed(p, 0.0, M_PI / 3.0))) << kindName(kindOf(shape));
+    EXPECT_FALSE(gainOf(shape, strayed(p, 0.0, M_PI))) << kindName(kindOf(shape));
+  }
+}
+
+TEST(Gain, OfConcaveShapesIsThatOfTheOtherSide) {
+  for (const auto& [shape, p] : kPoints) {
+    const SurfacePoint inside = {p.point, -p.normal};
+    ASSERT_TRUE(gainOf(shape, inside, true)) << kindName(kindOf(shape));
+    EXPECT_NEAR(*gainOf(shape, inside, true), 1.0, kRounding);
+    EXPECT_FALSE(gainOf(shape, p, true)) << kindName(kindOf(shape));
+    EXPECT_FALSE(gainOf(shape, inside, false)) << kindName(kindOf(shape));
+  }
+}
+
+TEST(Gain, OfACenterAnAxisOrAnApexIsNoneOrFinite) {
+  for (const Vec3& normal : {Vec3(0, 0, -1), kCone.axis, Vec3(-kCone.axis)}) {
+    for (const auto& [shape, point] : std::vector<std::pair<Shape, Vec3>>{
+             {kSphere, kSphere.center}, {kCylinder, kCylinder.point}, {kCone, kCone.apex}}) {
+      const std::optional<double> gain = gainOf(shape, {point, normal});
+      EXPECT_TRUE(!gain || std::isfinite(*gain)) << kindName(kindOf(shape));
+    }
+  }
+}
+
+TEST(Gain, OfADepthCameraAllowsMoreFartherAway) {
+  const NoiseModel camera = {0.0, 0.002, 0.5};
+  const auto gainAt = [&camera](double depth) {
+    return gainOf(Plane{Vec3(0, 0, depth), Vec3(0, 0, -1)}, {Vec3(0, 0, depth - 0.01), Vec3(0, 0, -1)}, false, camera);
+  };
+  // 10 mm are three standard deviations where the noise of structured light is 3.3 mm, at about 1.45 m.
+  EXPECT_FALSE(gainAt(0.5));
+  ASSERT_TRUE(gainAt(2.0));
+  EXPECT_GT(*gainAt(2.0), 0.0);
+}
+
+TEST(Gain, TakesMoreNoiseOfANormalThatIsKnownToBeBad) {
+  Samples samples = test::samplesOf({strayed(kPoints[0].second, 0.0, 0.45)});
+  const NoiseModel sharp = {0.001, 0.0, 0.15};
+  applyNoise(sharp, samples);
+  EXPECT_EQ(test::inlierCount(hypothesisOf(kPlane, samples)), 0u);
+  samples.normal_sigma[0] = 0.12f;  // four of these are 0.48
+  applyNoise(sharp, samples);
+  EXPECT_EQ(test::inlierCount(hypothesisOf(kPlane, samples)), 1u);
+}
+
+TEST(Evaluate, WidensTheToleranceOfAShapeThatIsNotFittedYet) {
+  const Samples samples = samplesWith(kNoise, {strayed(kPoints[1].second, 2.5 * kTolerance, 0.0)});
+  Hypothesis hypothesis = hypothesisOf(kSphere, samples);
+  EXPECT_TRUE(hypothesis.support.empty());
+  evaluate(samples, HeldGains(1, 0.0f), 3.0, hypothesis);
+  EXPECT_EQ(test::inlierCount(hypothesis), 1u);
+}
+
+/// 50 points on the plane, and 20 that lie 1.5 tolerances above it.
+Samples fiftyAndTwenty() {
+  Random random(11);
+  std::vector<SurfacePoint> points = test::patchOf(kPlane, 70, 0.2, random);
+  for (int k = 50; k < 70; ++k) points[k] = strayed(points[k], 1.5 * kTolerance, 0.0);
+  return samplesWith(kNoise, points);
+}
+
+TEST(Score, IsTheSumOfTheGainsLessThePriceOfTheInliers) {
+  const Samples samples = fiftyAndTwenty();
+  const Hypothesis hypothesis = hypothesisOf(kPlane, samples);
+  ASSERT_EQ(hypothesis.support.size(), 70u);
+  EXPECT_EQ(test::inlierCount(hypothesis), 50u);
+  const double gains = std::accumulate(hypothesis.support.begin(), hypothesis.support.end(), 0.0,
+                                       [](double sum, const Support& support) { return sum + support.gain; });
+  EXPECT_LT(gains, 50.0 - 20.0);
+  EXPECT_NEAR(hypothesis.score, gains - priceOf(Kind::plane, 50.0), 1e-6);
+}
+
+TEST(Score, DoesNotCountSamplesThatOthersHoldWellAgainstAShape) {
+  const Samples samples = fiftyAndTwenty();
+  Hypothesis hypothesis = hypothesisOf(kPlane, samples);
+  const double alone = hypothesis.score;
+  HeldGains held(samples.size(), 0.0f);
+  for (int k = 50; k < 70; ++k) held[k] = 0.05f;  // poorly
+  evaluate(samples, held, 1.0, hypothesis);
+  EXPECT_NEAR(hypothesis.score, alone, 1e-6);
+  for (int k = 50; k < 70; ++k) held[k] = 0.5f;
+  evaluate(samples, held, 1.0, hypothesis);
+  // Each took 1.5^2 - 1, at most 1.2; on the plane nothing is left but gains of 1.
+  EXPECT_NEAR(hypothesis.score, 50.0 - priceOf(Kind::plane, 50.0), 50.0 * kRounding);
+  EXPECT_GT(hypothesis.score, alone + 20.0);
+}
+
+TEST(Price, GrowsWithTheParametersOfTheKindAndWithTheInliers) {
+  for (const double inliers : {0.0, 25.0, 1000.0}) {
+    EXPECT_GE(priceOf(Kind::plane, inliers), 0.0);
+    for (const auto& [less, more] : {std::pair(Kind::plane, Kind::sphere), std::pair(Kind::sphere, Kind::cylinder),
+                                     std::pair(Kind::cylinder, Kind::cone)}) {
+      EXPECT_LT(priceOf(less, inliers + 1.0), priceOf(more, inliers + 1.0));
+      EXPECT_LE(priceOf(less, inliers), priceOf(less, 2.0 * inliers));
+    }
+    // Otherwise a perfect cone could not pay for itself.
+    EXPECT_LT(priceOf(Kind::cone, std::max(inliers, 10.0)), std::max(inliers, 10.0));
+  }
+}
+
+TEST(Hold, KeepsTheBestGainOfEachSampleAndNoLoss) {
+  const Samples samples = fiftyAndTwenty();
+  HeldGains held(samples.size(), 0.0f);
+  held[0] = 2.0f;
+  hold(hypothesisOf(kPlane, samples), held);
+  EXPECT_EQ(held[0], 2.0f);
+  EXPECT_NEAR(held[1], 1.0f, kRounding);
+  EXPECT_EQ(held[60], 0.0f);
+}
+
+}  // namespace
+}  // namespace primitect

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What a detection says about itself, measured on the points of the cloud.
+#include "core/measurement.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "primitect/detector.h"
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::measured;
+using test::patchOf;
+using test::SurfacePoint;
+using test::together;
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kNoise = 0.001;
+
+const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
+const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
+const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
+const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
+
+/// A table with a ball, a can and a cone above it: 40,000 points, more than anything draws.
+constexpr std::uint32_t kPointsOf[] = {20000, 6000, 7000, 7000};
+Cloud noisyTabletop() {
+  Random random(41);
+  const auto curved = together(patchOf(kBall, 6000, random), together(patchOf(kCan, 7000, -0.1, 0.1, random),
+                                                                      patchOf(kHat, 7000, 0.03, 0.25, random)));
+  return test::cloudOf(measured(together(patchOf(kTable, 20000, 0.5, random), curved), kNoise, 0.05, random));
+}
+
+/// Of the preset's detections one of each kind, found once for all tests.
+const std::vector<Detection>& detectionsOf(const char* preset) {
+  static const std::vector<Detection> kVerified = Detector(presetParams("default")).detect(noisyTabletop()).items;
+  static const std::vector<Detection> kByVotes = Detector(presetParams("paper")).detect(noisyTabletop()).items;
+  return std::string(preset) == "paper" ? kByVotes : kVerified;
+}
+
+TEST(Detections, OfTheDefaultSayAllThatTheyCan) {
+  ASSERT_EQ(detectionsOf("default").size(), 4u);
+  for (const Detection& detection : detectionsOf("default")) {
+    const Kind kind = kindOf(detection.shape);
+    EXPECT_GT(detection.confidence, 0.5f) << kindName(kind);
+    EXPECT_LE(detection.confidence, 1.0f) << kindName(kind);
+    EXPECT_GT(detection.coverage, 0.0f) << kindName(kind);
+    EXPECT_LE(detection.coverage, 1.0f) << kindName(kind);
+    EXPECT_GT(detection.covariance[0], 0.0) << kindName(kind);
+    EXPECT_EQ(detection.truncated, kTruncationUnknown) << kindName(kind);  // no image
+    EXPECT_EQ(detection.radius_stddev > 0.0f, kind != Kind::plane) << kindName(kind);
+    EXPECT_EQ(detection.half_angle_stddev > 0.0f, kind == Kind::cone) << kindName(kind);
+    EXPECT_GT(detection.evidence.inliers, 0.0f) << kindName(kind);
+  }
+}
+
+TEST(Detections, OfThePaperLeaveUnknownWhatNobodyMeasured) {
+  ASSERT_FALSE(detectionsOf("paper").empty());
+  for (const Detection& detection : detectionsOf("paper")) {
+    EXPECT_EQ(detection.confidence, kUnknown);
+    EXPECT_EQ(detection.coverage, kUnknown);
+    EXPECT_EQ(detection.covariance[0], -1.0);
+    EXPECT_EQ(detection.radius_stddev, kUnknown);
+    EXPECT_EQ(detection.half_angle_stddev, kUnknown);
+    EXPECT_EQ(detection.truncated, kTruncationUnknown);
+    EXPECT_FALSE(detection.rival);
+    EXPECT_EQ(detection.evidence.inliers, 0.0f);
+    EXPECT_GE(detection.rms_error, 0.0f);
+  }
+}
+
+TEST(Detections, CountPointsOfTheCloud) {
+  for (const Detection& detection : detectionsOf("default")) {
+    // 3 standard deviations hold 99.7 %; where surfaces pass close by each other, some go to the other.
+    const double all = kPointsOf[detection.shape.index()];
+    EXPECT_GT(detection.inlier_count, 0.93 * all) << kindName(kindOf(detection.shape));
+    EXPECT_LT(detection.inlier_count, 1.07 * all) << kindName(kindOf(detection.shape));
+  }
+}
+
+TEST(Detections, ErrByTheNoiseOfThePoints) {
+  for (const Detection& detection : detectionsOf("default")) {
+    // Cut off at three standard deviations, 1.3 % are missing; cut where the noise was measured wrong by 10 %, 3 %.
+    EXPECT_NEAR(detection.rms_error, kNoise, 0.08 * kNoise) << kindName(kindOf(detection.shape));
+  }
+}
+
+TEST(Detections, CoverWhatWasSeen) {
+  for (const Detection& detection : detectionsOf("default")) {
+    switch (kindOf(detection.shape)) {
+      case Kind::plane:
+        EXPECT_GT(detection.coverage, 0.85f);
+        break;
+      case Kind::sphere:
+        // A cap down to a tenth of the radius above the equator: (1 - 0.1) / 2.
+        EXPECT_NEAR(detection.coverage, 0.45f, 0.05f);
+        break;
+      case Kind::cylinder:
+        // Seen from a distance d across the axis: acos(r / d) to either side.
+        EXPECT_NEAR(detection.coverage, 0.478f, 0.02f);
+        break;
+      case Kind::cone:
+        // The apex is nearer than the base: more than half, pi - acos(tan(half angle) a / d) to either side, the apex
+        // being a along the axis and d across it.
+        EXPECT_NEAR(detection.coverage, 0.583f, 0.02f);
+    }
+  }
+}
+
+TEST(Detections, HavePoseCovariancesThatAreSymmetricAndPositive) {
+  for (const Detection& detection : detectionsOf("default")) {
+    const auto covariance = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(detection.covariance.data());
+    EXPECT_LT((covariance - covariance.transpose()).norm(), 1e-9 * covariance.norm());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver{Eigen::Matrix<double, 6, 6>(covariance)};
+    EXPECT_GT(solver.eigenvalues().minCoeff(), -1e-9 * solver.eigenvalues().maxCoeff());
+  }
+}
+
+TEST(Detections, AreAsNearToTheTruthAsThousandsOfPointsAllow) {
+  for (const Detection& detection : detectionsOf("default")) {
+    if (const Sphere* sphere = std::get_if<Sphere>(&detection.shape)) {
+      // Noise / sqrt(6000), times 3 as less than half is seen; three of these.
+      EXPECT_NEAR(sphere->radius, kBall.radius, 3.0 * 3.0 * kNoise / std::sqrt(6000.0));
+    }
+    if (const Cylinder* cylinder = std::get_if<Cylinder>(&detection.shape)) {
+      EXPECT_NEAR(cylinder->radius, kCan.radius, 3.0 * 4.0 * kNoise / std::sqrt(7000.0));
+      EXPECT_LT(test::lineAngle(cylinder->axis, kCan.axis), 0.2 * kDegree);
+    }
+    if (const Cone* cone = std::get_if<Cone>(&detection.shape)) {
+      EXPECT_NEAR(cone->half_angle, kHat.half_angle, 0.2 * kDegree);
+    }
+  }
+}
+
+TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
+  Random random(42);
+  const Cloud cloud = test::cloudOf(measured(patchOf(kBall, 1000, random), kNoise, 0.05, random));
+  std::vector<std::uint32_t> all(1000);
+  for (std::uint32_t i = 0; i < 1000; ++i) all[i] = i;
+  Params params;
+  params.max_radius = 0.0795;
+  Detection detection;
+  detection.shape = Sphere{kBall.center, 0.079};
+  const Detection kept = Measurement(cloud, params, {kNoise, 0.0, 0.5}, {params, 1.0}).of(detection, {all, 4000});
+  EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
+  EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
+  params.max_radius = 0.0;
+  const Detection fitted = Measurement(cloud, params, {kNoise, 0.0, 0.5}, {params, 1.0}).of(detection, {all, 4000});
+  EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
+}
+
+}  // namespace
+}  // namespace primitect

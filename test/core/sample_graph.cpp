@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which samples are next to each other.
+#include "core/sample_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::SurfacePoint;
+
+Samples samplesAt(const std::vector<Vec3>& points) {
+  std::vector<SurfacePoint> surface;
+  for (const Vec3& p : points) surface.push_back({p, Vec3::UnitZ()});
+  return test::samplesOf(surface);
+}
+
+/// Columns of ten points, 1 cm apart either way, column by column along x; the gaps (m) come before columns.
+Samples columnsWith(int columns, int column_after_gap, double gap) {
+  std::vector<Vec3> points;
+  for (int column = 0; column < columns; ++column) {
+    const double x = 0.01 * column + (column >= column_after_gap ? gap : 0.0);
+    for (int row = 0; row < 10; ++row) points.emplace_back(x, 0.01 * row, 1.0);
+  }
+  return samplesAt(points);
+}
+
+std::vector<std::uint32_t> range(std::uint32_t first, std::uint32_t end) {
+  std::vector<std::uint32_t> indices(end - first);
+  std::iota(indices.begin(), indices.end(), first);
+  return indices;
+}
+
+std::vector<std::uint32_t> partOf(const Samples& samples, const std::vector<std::uint32_t>& set, std::uint32_t start) {
+  SampleGraph graph;
+  graph.build(samples);
+  std::vector<std::uint32_t> part;
+  graph.connected(set, start, part);
+  return part;
+}
+
+TEST(SampleGraph, HoldsTheNearestOfAllOthers) {
+  Random random(12);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 400; ++i) points.push_back(test::randomPoint(random));
+  const Samples samples = samplesAt(points);
+  SampleGraph graph;
+  graph.build(samples);
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t j = 0; j < samples.size(); ++j) {
+      if (j != i) others.push_back(j);
+    }
+    std::sort(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return (samples.point(a) - samples.point(i)).norm() < (samples.point(b) - samples.point(i)).norm();
+    });
+    std::vector<std::uint32_t> nearest(others.begin(), others.begin() + SampleGraph::kNeighbors);
+    std::vector<std::uint32_t> found(graph.of(i).begin(), graph.of(i).end());
+    std::sort(nearest.begin(), nearest.end());
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, nearest) << i;
+  }
+}
+
+TEST(SampleGraph, NamesTheSampleItselfWhereThereAreNoOthers) {
+  SampleGraph graph;
+  graph.build(samplesAt({Vec3(0, 0, 1), Vec3(0.1, 0, 1), Vec3(0.2, 0, 1)}));
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(std::count(graph.of(i).begin(), graph.of(i).end(), i), SampleGraph::kNeighbors - 2) << i;
+  }
+}
+
+TEST(SampleGraph, IsBuiltAnewForOtherSamples) {
+  SampleGraph graph;
+  graph.build(columnsWith(20, 20, 0.0));
+  graph.build(samplesAt({Vec3(0, 0, 1), Vec3(0.1, 0, 1)}));
+  for (const std::uint32_t j : graph.of(0)) EXPECT_LT(j, 2u);
+  graph.build(samplesAt({}));
+  std::vector<std::uint32_t> part = {7};
+  graph.build(samplesAt({Vec3(0, 0, 1)}));
+  graph.connected({0}, 0, part);
+  EXPECT_EQ(part, range(0, 1));
+}
+
+TEST(Connected, ReachesEverythingOfOnePatch) {
+  EXPECT_EQ(partOf(columnsWith(20, 20, 0.0), range(0, 200), 105), range(0, 200));
+}
+
+TEST(Connected, StopsAtAGapInSpace) {
+  const Samples samples = columnsWith(20, 12, 0.1);
+  EXPECT_EQ(partOf(samples, range(0, 200), 5), range(0, 120));
+  EXPECT_EQ(partOf(samples, range(0, 200), 150), range(120, 200));
+}
+
+TEST(Connected, StopsWhereSamplesAreNotInTheSet) {
+  // Eight neighbours reach two columns at most: four columns that are missing are a gap.
+  std::vector<std::uint32_t> set = range(0, 80);
+  const std::vector<std::uint32_t> right = range(120, 200);
+  set.insert(set.end(), right.begin(), right.end());
+  EXPECT_EQ(partOf(columnsWith(20, 20, 0.0), set, 3), range(0, 80));
+  EXPECT_EQ(partOf(columnsWith(20, 20, 0.0), set, 199), right);
+}
+
+TEST(Connected, BeginsAtNeighborsOfAStartOutsideOfTheSet) {
+  const Samples samples = columnsWith(20, 12, 0.1);
+  std::vector<std::uint32_t> set = range(0, 200);
+  set.erase(set.begin() + 55);
+  std::vector<std::uint32_t> left = range(0, 120);
+  left.erase(left.begin() + 55);
+  EXPECT_EQ(partOf(samples, set, 55), left);
+  EXPECT_TRUE(partOf(samples, range(120, 200), 55).empty());
+}
+
+}  // namespace
+}  // namespace primitect

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which hypotheses explain the samples best together.
+#include "core/selection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "test/support/hypotheses.h"
+
+namespace primitect {
+namespace {
+
+using test::hypothesisOf;
+using test::measured;
+using test::patchOf;
+using test::samplesWith;
+using test::SurfacePoint;
+using test::together;
+
+constexpr double kNoise = 0.001;
+const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
+constexpr double kTurn = 0.08;  // rad, of normals
+constexpr std::size_t kFewest = 25;
+
+const Sphere kBall = {Vec3(-0.15, 0, 1), 0.08};
+const Sphere kOtherBall = {Vec3(0.15, 0, 1), 0.06};
+
+std::vector<Hypothesis> poolOf(const std::vector<Shape>& shapes, const Samples& samples) {
+  std::vector<Hypothesis> pool;
+  for (const Shape& shape : shapes) pool.push_back(hypothesisOf(shape, samples));
+  return pool;
+}
+
+std::vector<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samples& samples,
+                                    std::size_t fewest = kFewest) {
+  std::vector<std::uint32_t> chosen = selectHypotheses(samples, poolOf(shapes, samples), fewest).chosen;
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+Samples twoBalls() {
+  Random random(21);
+  return samplesWith(kNoiseModel, measured(together(patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)),
+                                           kNoise, kTurn, random));
+}
+
+using Indices = std::vector<std::uint32_t>;
+
+TEST(Selection, OfNothingIsNothing) {
+  EXPECT_TRUE(selectHypotheses(Samples(), {}, kFewest).chosen.empty());
+  const Selection none = selectHypotheses(twoBalls(), {}, kFewest);
+  EXPECT_TRUE(none.chosen.empty());
+  EXPECT_EQ(none.owner, Indices(500, kNobody));
+}
+
+TEST(Selection, GivesEachSampleToOneOfTheChosen) {
+  const Samples samples = twoBalls();
+  const Selection selection = selectHypotheses(samples, poolOf({kBall, kOtherBall}, samples), kFewest);
+  EXPECT_EQ(selection.chosen, (Indices{0, 1}));  // best first
+  ASSERT_EQ(selection.owner.size(), samples.size());
+  // 3 standard deviations hold 99.7 %, and the normals hardly take any: a few of 500 may be outside.
+  EXPECT_GT(std::count(selection.owner.begin(), selection.owner.begin() + 300, 0u), 290);
+  EXPECT_GT(std::count(selection.owner.begin() + 300, selection.owner.end(), 1u), 190);
+  for (const std::uint32_t owner : selection.owner) EXPECT_TRUE(owner == kNobody || owner < 2u);
+}
+
+TEST(Selection, GivesASampleOfTwoShapesToTheOneThatFitsBetter) {
+  // Two walls that meet: samples at the edge are near both, and their normals tell.
+  Random random(22);
+  const Plane front = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  const Plane slanted = {Vec3(0, 0, 1), Vec3(0, -0.4, -1).normalized()};
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 600; ++i) {
+    const Plane& plane = i < 300 ? front : slanted;
+    Vec3 p(random.uniform(-0.1, 0.1), i < 300 ? random.uniform(0.0, 0.1) : random.uniform(-0.1, 0.0), 1.0);
+    p.z() -= (p - plane.point).dot(plane.normal) / plane.normal.z();
+    points.push_back({p, plane.normal});
+  }
+  const Samples samples = samplesWith(kNoiseModel, points);
+  const Selection selection = selectHypotheses(samples, poolOf({front, slanted}, samples), kFewest);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ(selection.owner[i], i < 300 ? 0u : 1u) << i;
+}
+
+TEST(Selection, DoesNotChooseDuplicates) {
+  const Samples samples = twoBalls();
+  const Sphere shifted = {kBall.center + Vec3(0.001, 0, 0), kBall.radius + 0.0005};
+  EXPECT_EQ(chosenOf({shifted, kBall, kBall, kOtherBall, shifted}, samples).size(), 2u);
+}
+
+TEST(Selection, TakesTheBetterOfTwoVersionsWhereverItStands) {
+  const Samples samples = twoBalls();
+  const Sphere shifted = {kBall.center + Vec3(0.002, 0, 0), kBall.radius};
+  EXPECT_EQ(chosenOf({shifted, kBall}, samples), (Indices{1}));
+  EXPECT_EQ(chosenOf({kBall, shifted}, samples), (Indices{0}));
+}
+
+TEST(Selection, CountsNearlyEqualPlanesOnce) {
+  Random random(23);
+  const Plane table = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  const Samples samples = samplesWith(kNoiseModel, measured(patchOf(table, 600, 0.2, random), kNoise, kTurn, random));
+  // Versions as fits to parts of the table would give: shifted by a millimetre, turned by half a degree.
+  std::vector<Shape> planes;
+  for (const double turn : {-0.01, 0.0, 0.01}) {
+    for (const double shift : {-0.001, 0.0, 0.001}) {
+      planes.push_back(Plane{Vec3(0, 0, 1.0 + shift), Vec3(turn, 0, -1).normalized()});
+    }
+  }
+  EXPECT_EQ(chosenOf(planes, samples), (Indices{4}));
+}
+
+TEST(Selection, TakesTwoPlanesRatherThanOneConeOverTwoFaces) {
+  Random random(24);
+  const Plane front = {Vec3(0, 0, 1), Vec3(0, 0, -1)}, top = {Vec3(0, -0.1, 1.1), Vec3(0, -1, 0)};
+  const Samples samples = samplesWith(
+      kNoiseModel,
+      measured(together(patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)), kNoise, kTurn, random));
+  // The cone that touches both faces along lines through their common edge.
+  const Cone cone = {Vec3(-0.1, -0.1, 1.0), Vec3(1, 1, 1).normalized(), std::asin(std::sqrt(1.0 / 3.0))};
+  ASSERT_GT(test::inlierCount(hypothesisOf(cone, samples)), kFewest);
+  EXPECT_EQ(chosenOf({cone, front, top}, samples), (Indices{1, 2}));
+}
+
+TEST(Selection, ExchangesALargeWrongShapeForTwoRightOnes) {
+  // A strip bent by 8 deg in its middle: a wide cylinder explains more samples of it than either half does, well
+  // enough to be chosen first.
+  Random random(25);
+  const double bend = 4.0 * M_PI / 180.0;
+  const Plane left = {Vec3(0, 0, 1), Vec3(-std::sin(bend), 0, -std::cos(bend))};
+  const Plane right = {Vec3(0, 0, 1), Vec3(std::sin(bend), 0, -std::cos(bend))};
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 800; ++i) {
+    const Plane& plane = i < 400 ? left : right;
+    Vec3 p(i < 400 ? random.uniform(-0.08, 0.0) : random.uniform(0.0, 0.08), random.uniform(-0.1, 0.1), 1.0);
+    p.z() -= (p - plane.point).dot(plane.normal) / plane.normal.z();
+    points.push_back({p, plane.normal});
+  }
+  const Samples samples = samplesWith(kNoiseModel, measured(points, 0.5 * kNoise, 0.02, random));
+  // Normals turn by 8 deg over 8 cm between the middles of the halves; in between the strip is at most 1.4 mm off.
+  const double radius = 0.08 / (2.0 * bend);
+  const Cylinder cylinder = {Vec3(0, 0, 1.0 + radius + 0.0007), Vec3(0, 1, 0), radius};
+  const std::vector<Shape> shapes = {cylinder, left, right};
+  const std::vector<Hypothesis> pool = poolOf(shapes, samples);
+  ASSERT_GT(pool[0].score, pool[1].score);
+  ASSERT_GT(pool[0].score, pool[2].score);
+  EXPECT_EQ(chosenOf(shapes, samples), (Indices{1, 2}));
+}
+
+TEST(Selection, LeavesOutWhatOwnsFewerThanTheLeast) {
+  Random random(26);
+  const Samples samples =
+      samplesWith(kNoiseModel, together(patchOf(kBall, 300, random), patchOf(kOtherBall, 40, random)));
+  EXPECT_EQ(chosenOf({kBall, kOtherBall}, samples, 40), (Indices{0, 1}));
+  EXPECT_EQ(chosenOf({kBall, kOtherBall}, samples, 41), (Indices{0}));
+}
+
+TEST(Selection, LeavesOutAShapeThatFewerSamplesSpeakForThanAgainst) {
+  // A sphere that touches a plane from behind fits in a small cap; around it, samples are near but off.
+  Random random(27);
+  const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  const Samples samples = samplesWith(kNoiseModel, measured(patchOf(plane, 800, 0.15, random), kNoise, kTurn, random));
+  const Sphere bulge = {Vec3(0, 0, 1.4), 0.4};
+  ASSERT_GT(test::inlierCount(hypothesisOf(bulge, samples)), kFewest);
+  EXPECT_TRUE(chosenOf({bulge}, samples).empty());
+}
+
+}  // namespace
+}  // namespace primitect

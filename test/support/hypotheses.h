@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples with a known noise, and what shapes make of them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/hypothesis.h"
+#include "core/noise.h"
+#include "core/proposal.h"
+#include "core/sample_graph.h"
+#include "core/selection.h"
+#include "test/support/exact_shapes.h"
+
+namespace primitect::test {
+
+inline Samples samplesWith(const NoiseModel& noise, const std::vector<SurfacePoint>& points) {
+  Samples samples = samplesOf(points);
+  applyNoise(noise, samples);
+  return samples;
+}
+
+/// The shape against these samples, of which nothing is explained yet.
+inline Hypothesis hypothesisOf(const Shape& shape, const Samples& samples, bool concave = false) {
+  Hypothesis hypothesis;
+  hypothesis.shape = shape;
+  hypothesis.concave = concave;
+  evaluate(samples, HeldGains(samples.size(), 0.0f), 1.0, hypothesis);
+  return hypothesis;
+}
+
+inline std::size_t inlierCount(const Hypothesis& hypothesis) {
+  std::vector<std::uint32_t> inliers;
+  inliersOf(hypothesis, inliers);
+  return inliers.size();
+}
+
+/// A proposal for this shape from the sample of that index.
+inline Candidate proposalAt(const Shape& shape, const Samples& samples, std::uint32_t reference, bool concave = false) {
+  Candidate candidate;
+  candidate.shape = shape;
+  candidate.concave = concave;
+  candidate.point = samples.point(reference);
+  candidate.normal = samples.normal(reference);
+  candidate.votes = 100.0;
+  candidate.sample = reference;
+  return candidate;
+}
+
+}  // namespace primitect::test
