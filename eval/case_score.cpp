@@ -3,6 +3,8 @@
 // Scoring one result; see case_score.h.
 #include "eval/case_score.h"
 
+#include <algorithm>
+
 #include "eval/cloud_vectors.h"
 #include "eval/segcomp.h"
 
@@ -140,6 +142,23 @@ int countFalseCurved(const LabelledCloud& input, const std::vector<Shape>& found
   return count;
 }
 
+/// Of each detection the kind of true shape that has most of its points.
+std::vector<std::optional<Kind>> kindsBelow(const LabelledCloud& input, const std::vector<int>& labels,
+                                            std::size_t detections) {
+  const std::size_t none = input.truth.size();
+  std::vector<std::vector<int>> points(detections, std::vector<int>(none + 1, 0));
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0) continue;
+    ++points[labels[i]][input.surface[i] >= 0 ? static_cast<std::size_t>(input.surface[i]) : none];
+  }
+  std::vector<std::optional<Kind>> kinds(detections);
+  for (std::size_t d = 0; d < detections; ++d) {
+    const std::size_t most = std::max_element(points[d].begin(), points[d].end()) - points[d].begin();
+    if (most < none && points[d][most] > 0) kinds[d] = kindOf(input.truth[most].shape);
+  }
+  return kinds;
+}
+
 std::vector<double> curveEpsilons() {
   std::vector<double> epsilons(kCurvePoints);
   for (std::size_t k = 0; k < kCurvePoints; ++k) epsilons[k] = kCurveStep * static_cast<double>(k);
@@ -176,6 +195,7 @@ CaseScore scoreCase(const LabelledCloud& input, const std::vector<Shape>& found)
   score.verdicts.assign(found.size(), Verdict::no_matter);
   score.true_shape.assign(found.size(), kNoShape);
   countInstances(input, scored, true_shapes, kept, score);
+  score.lies_on = kindsBelow(input, labels, found.size());
   score.false_curved = countFalseCurved(input, found, score.verdicts);
   const Distances distances = measureDistances(measuredPoints(input), found, labels);
   score.p_coverage = pointCoverage(distances, curveEpsilons());

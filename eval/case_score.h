@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "eval/labelled_cloud.h"
@@ -39,6 +40,9 @@ struct CaseScore {
   int points = 0;                  ///< measured points of the cloud
   std::vector<Verdict> verdicts;   ///< one a detection
   std::vector<int> true_shape;     ///< one a detection: index in the truth of a right one, otherwise kNoShape
+  /// One a detection: kind of the true shape, must it be found or not, that most of its points lie on; none when these
+  /// are points of no shape.
+  std::vector<std::optional<Kind>> lies_on;
   /// Spheres, cylinders and cones that are wrong; on a "clutter" frame all of them.
   int false_curved = 0;
 };

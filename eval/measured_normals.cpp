@@ -37,8 +37,8 @@ void measureNormals(const std::vector<std::uint32_t>& points, Cloud& cloud) {
   Samples samples = samplesAt(points, cloud);
   Params params;
   params.use_cloud_normals = false;
-  std::unique_ptr<NeighborSearch> neighbors;
-  estimateNormals(cloud, params, neighbors, samples);
+  NormalSource source;
+  estimateNormals(cloud, params, source, samples);
   for (std::size_t k = 0; k < points.size(); ++k) {
     cloud.setNormal(points[k], samples.nx[k], samples.ny[k], samples.nz[k]);
   }

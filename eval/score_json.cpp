@@ -3,6 +3,7 @@
 // Scores to JSON; see score_json.h.
 #include "eval/score_json.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "eval/data_sets.h"
@@ -55,15 +56,26 @@ Json neesJson(Kind kind, const NormalisedErrors& errors) {
   return json;
 }
 
-/// Confidence and normalised errors only where the method tells them.
+constexpr std::array<const char*, 8> kEvidenceNames = {"inliers",         "gain", "against", "runs_on", "runs_into",
+                                                       "border_residual", "turn", "lead"};
+
+std::array<float, kEvidenceNames.size()> evidenceNumbers(const Evidence& e) {
+  return {e.inliers, e.gain, e.against, e.runs_on, e.runs_into, e.border_residual, e.turn, e.lead};
+}
+
+/// Confidence, evidence and normalised errors only where the method tells them.
 Json detectionsJson(const LabelledCloud& input, const Answer& answer, const CaseScore& score) {
   Json json = Json::array();
   for (std::size_t d = 0; d < answer.shapes.size(); ++d) {
     const Kind kind = kindOf(answer.shapes[d]);
     Json entry = {{"kind", kindName(kind)}, {"verdict", verdictName(score.verdicts[d])}};
+    if (score.lies_on[d]) entry["on"] = kindName(*score.lies_on[d]);
     if (d < answer.detections.size()) {
       const Detection& detection = answer.detections[d];
-      if (detection.confidence >= 0.0f) entry["confidence"] = detection.confidence;
+      if (detection.confidence >= 0.0f) {
+        entry["confidence"] = detection.confidence;
+        entry["evidence"] = evidenceNumbers(detection.evidence);
+      }
       if (score.verdicts[d] == Verdict::right) {
         const Json nees = neesJson(kind, normalisedErrors(input.truth[score.true_shape[d]].shape, detection));
         if (!nees.empty()) entry["nees"] = nees;
@@ -110,6 +122,7 @@ std::string aboutJson() {
               {"build", build},
               {"curve_step", kCurveStep},
               {"sets", dataSetNames()},
+              {"evidence", kEvidenceNames},
               {"peers", peerNames()}}
       .dump();
 }

@@ -3,6 +3,8 @@
 // From a world to a labelled frame; see tabletop_frames.h.
 #include "eval/tabletop_frames.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "eval/cloud_vectors.h"
@@ -25,6 +27,20 @@ struct View {
   Eigen::Isometry3d world_from_camera;
 };
 
+/// Shapes are scored as if they had no end. Two faces in one plane, like the tops of two boxes of the same height, are
+/// therefore one true shape. Index of the plane that the item lies in, or the number of shapes.
+std::size_t indexOfSamePlane(const Detection& item, const std::vector<TrueShape>& truth) {
+  constexpr double kApart = 0.004;               // m, twice the noise of the depth at 1 m
+  constexpr double kLeastCosine = 1.0 - 1.5e-4;  // 1 deg
+  const Plane* plane = std::get_if<Plane>(&item.shape);
+  const auto same = [&](const TrueShape& shape) {
+    const Plane* other = std::get_if<Plane>(&shape.shape);
+    return plane && other && plane->normal.dot(other->normal) > kLeastCosine &&
+           std::abs(distance(*other, item.extent.origin)) < kApart;
+  };
+  return std::find_if(truth.begin(), truth.end(), same) - truth.begin();
+}
+
 /// The truth in order of its surfaces, also of those that need not be found; surfaces get its index as label.
 void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) {
   constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
@@ -34,10 +50,17 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
   const synthetic::Rendering measured{frame.depth, frame.surface};
   const Detections items = truthOf(view.world, view.camera, view.world_from_camera, measured, params, &surface_of_item);
   std::vector<int> label(view.world.surfaces().size(), kClutter);
+  std::vector<std::uint32_t> pixels;  // of each true shape
   for (std::size_t k = 0; k < items.items.size(); ++k) {
     const Detection& item = items.items[k];
-    result.truth.push_back({item.shape, item.concave, item.inlier_count >= kLeastPixels && !item.concave});
-    label[surface_of_item[k]] = static_cast<int>(k);
+    std::size_t t = indexOfSamePlane(item, result.truth);
+    if (t == result.truth.size()) {
+      result.truth.push_back({item.shape, item.concave});
+      pixels.push_back(0);
+    }
+    pixels[t] += item.inlier_count;
+    result.truth[t].must = pixels[t] >= kLeastPixels && !item.concave;
+    label[surface_of_item[k]] = static_cast<int>(t);
   }
   result.surface.assign(frame.surface.size(), kNoShape);
   for (std::size_t i = 0; i < frame.surface.size(); ++i) {

@@ -41,6 +41,14 @@ TEST(CaseScore, JudgesEachDetection) {
   EXPECT_EQ(score.true_shape, (std::vector<int>{kNoShape, 1, kNoShape, kNoShape}));
 }
 
+TEST(CaseScore, TellsTheKindThatADetectionLiesOn) {
+  LabelledCloud input = shelves(3);
+  input.truth[2].must = false;
+  const CaseScore score = scoreCase(input, {flatSphere(1), shelf(3), flatSphere(9)});
+  using Kinds = std::vector<std::optional<Kind>>;
+  EXPECT_EQ(score.lies_on, (Kinds{Kind::plane, Kind::plane, std::nullopt}));
+}
+
 TEST(CaseScore, CountsFalseCurvedShapes) {
   LabelledCloud input = shelves(3);
   input.truth[2].must = false;

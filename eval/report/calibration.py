@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""How the weights of src/core/evidence.cpp are made: the clouds, which detections are right, the features, the text."""
+from collections import namedtuple
+
+import numpy as np
+
+from report import logistic
+from report.kinds import KINDS
+from report.plan import Experiment, Recipe
+from report.tables import Table, cell
+
+# Nothing is refused, so that what is wrong is seen, too.
+ALL = "all=preset:default,min_confidence=0"
+ALL_BOTH = "all-both=preset:default,min_confidence=0,convexity=both"
+FULL, SOME, FEW = 1.0, 0.5, 0.25  # shares of the clouds
+PENALTY = 5.0
+# Of the weights. Otherwise what is common in clouds where all detections are right would speak for a shape, even if it
+# is a flaw.
+SIGNS = (0, 1, 1, -1, -1, 1, 1)
+THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
+EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead")  # as compare's
+
+# numbers: those of EVIDENCE, a row a detection; right: 0 or 1 each; kind: index in KINDS
+Cases = namedtuple("Cases", "numbers right kind")
+
+
+def mix():
+    """What is looked at: recipe, method and share of the clouds. Depth frames and clutter count most: there is most to
+    get wrong."""
+    yield Recipe("tabletop"), ALL, FULL
+    yield Recipe("tabletop"), ALL_BOTH, SOME
+    yield Recipe("clutter"), ALL, FULL
+    yield Recipe("clutter"), ALL_BOTH, FEW
+    yield Recipe("tabletop", noise_scale=2.0), ALL, FEW
+    yield Recipe("tabletop", shuffle=True), ALL, FEW
+    yield Recipe("clutter", shuffle=True), ALL, FEW
+    for kind in ("spheres", "cylinders", "cones", "planes", "mixed"):
+        yield Recipe("paper-" + kind), ALL, FEW
+    yield Recipe("paper-mixed", outliers=0.3), ALL, FEW
+    # With so much noise the normals of the cloud are worse than the usual angle of the scoring.
+    yield Recipe("paper-mixed", sigma=0.02, angle=40.0), ALL, FEW
+    yield Recipe("concave-mixed"), ALL_BOTH, FEW
+    yield Recipe("small"), ALL, SOME
+    yield Recipe("small", outliers=0.2), ALL, FEW
+
+
+def experiments(clouds, only=None):
+    """One for each recipe; clouds: of those that count most."""
+    result = {}
+    for recipe, method, share in mix():
+        if not only or recipe.set in only:
+            result.setdefault(recipe, {})[method] = max(1, round(share * clouds))
+    return [Experiment("calibrate", recipe, seeds, 1) for recipe, seeds in result.items()]
+
+
+def is_right(found):
+    """1 or 0; None for what says nothing. What lies on a shape that need not be found is right when it has its kind."""
+    if found["verdict"] != "no matter":
+        return int(found["verdict"] == "right")
+    return int(found["on"] == found["kind"]) if "on" in found else None
+
+
+def cases_of(lines):
+    """All detections with evidence."""
+    chosen = [found for line in lines for found in line["detections"]
+              if "evidence" in found and is_right(found) is not None]
+    return Cases(np.array([found["evidence"] for found in chosen], float).reshape(-1, len(EVIDENCE)),
+                 np.array([is_right(found) for found in chosen], float),
+                 np.array([KINDS.index(found["kind"]) for found in chosen], int))
+
+
+def of_kind(cases, kind):
+    """The part of some cases that has this kind."""
+    chosen = cases.kind == KINDS.index(kind)
+    return Cases(cases.numbers[chosen], cases.right[chosen], cases.kind[chosen])
+
+
+def root(numbers):
+    return np.sqrt(np.maximum(numbers, 0.0))
+
+
+def features(cases):
+    """What the weights are for, a row a detection: the same as featuresOf() of src/core/evidence.cpp."""
+    inliers, gain, against, _, runs_into, _, turn, lead = cases.numbers.T
+    curved = cases.kind != KINDS.index("plane")
+    return np.column_stack([np.ones(len(inliers)), np.log(np.maximum(inliers, 1.0)), gain, against, root(runs_into),
+                            curved * root(turn), curved * root(lead)])
+
+
+def fit(cases, penalty=PENALTY):
+    """Weights by kind. There are few wrong detections of a kind: the weights of curved ones stay near those that serve
+    all of them best. None when a kind lacks right or wrong ones."""
+    parts = {kind: of_kind(cases, kind) for kind in KINDS}
+    if not all(0 < part.right.sum() < len(part.right) for part in parts.values()):
+        return None
+    curved = cases._replace(**{name: values[cases.kind > 0] for name, values in cases._asdict().items()})
+    of_others = np.column_stack([curved.kind == KINDS.index(kind) for kind in KINDS[2:]])
+    shared = logistic.fit(np.column_stack([features(curved), of_others]), curved.right, penalty,
+                          SIGNS + (0,) * of_others.shape[1])
+    result = {}
+    for kind, part in parts.items():
+        towards = None if kind == "plane" else shared[:len(SIGNS)]
+        result[kind] = logistic.fit(features(part), part.right, penalty, SIGNS, towards)
+    return result
+
+
+def probabilities(weights, cases):
+    """One a detection."""
+    result = np.zeros(len(cases.right))
+    for kind, values in weights.items():
+        chosen = cases.kind == KINDS.index(kind)
+        result[chosen] = logistic.probabilities(values, features(of_kind(cases, kind)))
+    return result
+
+
+def weights_text(weights):
+    """The rows of kWeights in src/core/evidence.cpp."""
+    rows = ("    {{%s}},  // %s\n" % (", ".join("%.3g" % value for value in weights[kind]), kind) for kind in KINDS)
+    return "constexpr std::array<Features, kKindCount> kWeights = {{\n%s}};\n" % "".join(rows)
+
+
+def quality_table(parts):
+    """A row for each kind and all. parts: name -> (probabilities, cases)."""
+    rows = []
+    for name, (probability, cases) in parts.items():
+        rows.append((name, None))
+        for kind in ("all",) + KINDS:
+            chosen = np.full(len(cases.right), True) if kind == "all" else cases.kind == KINDS.index(kind)
+            p, right = probability[chosen], cases.right[chosen]
+            if len(right):
+                rows.append((kind, [cell(len(right), 0), cell(100.0 * right.mean()), cell(
+                    logistic.area_under_curve(p, right), 3), cell(logistic.log_loss(p, right), 3),
+                    cell(logistic.calibration_error(p, right), 3)]))
+    return Table("calibration", "How well the confidence tells right from wrong",
+                 "Right: percent of the detections when nothing is refused. AUC: chance that a right one has more "
+                 "confidence than a wrong one. ECE: expected calibration error.",
+                 [("", 5)], ["detections", "right", "AUC", "log loss", "ECE"], rows)
+
+
+def threshold_table(probability, cases):
+    """What is left above a threshold: precision, and the share of the right ones that is kept."""
+    rows = []
+    for kind in ("all",) + KINDS:
+        chosen = np.full(len(cases.right), True) if kind == "all" else cases.kind == KINDS.index(kind)
+        p, right = probability[chosen], cases.right[chosen]
+        if not right.sum():
+            continue
+        cells = []
+        for threshold in THRESHOLDS:
+            kept = p >= threshold
+            cells += [cell(100.0 * right[kept].mean() if kept.any() else None),
+                      cell(100.0 * right[kept].sum() / right.sum())]
+        rows.append((kind, cells))
+    return Table("thresholds", "Precision and share of the right ones kept over min_confidence", "Percent.",
+                 [("", 1)] + [(">= %g" % threshold, 2) for threshold in THRESHOLDS],
+                 ["precision", "kept"] * len(THRESHOLDS), rows)

@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Logistic regression on made-up sets, which detections count as right, and the text that goes into the core."""
+import os
+import sys
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.dirname(HERE), HERE]
+
+from report import calibration, logistic, tables  # noqa: E402
+from report_lines import line  # noqa: E402
+
+
+def made_up(weights, count, seed=1):
+    """Columns, and what is right with the probability that the weights give."""
+    random = np.random.default_rng(seed)
+    columns = np.column_stack([np.ones(count), random.normal(size=(count, len(weights) - 1))])
+    right = (random.random(count) < logistic.probabilities(np.array(weights), columns)).astype(float)
+    return columns, right
+
+
+def evidence(right, random):
+    """Numbers that tell right from wrong, but not surely."""
+    return [40.0 + 60.0 * right + 40.0 * random.random(), 0.7, 0.5 * random.random() - 0.2 * right + 0.2, 0.1, 0.1, 0.8,
+            0.3, 0.1 + 0.1 * random.random()]
+
+
+def found(kind, verdict, numbers=(50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2), **more):
+    return dict({"kind": kind, "verdict": verdict, "confidence": 0.5, "evidence": list(numbers)}, **more)
+
+
+def test_a_made_up_set_gives_its_weights_back():
+    truth = np.array([0.5, 1.0, -2.0, 0.0])
+    columns, right = made_up(truth, 40000)
+    # The standard deviation of a weight is about 2 / sqrt(count * variance) = 0.02 for the largest; four of these.
+    assert np.abs(logistic.fit(columns, right, 0.0) - truth).max() < 0.08
+
+
+def test_weights_do_not_depend_on_the_unit_of_a_feature():
+    columns, right = made_up([0.3, 1.0, -1.0], 500)
+    in_metres, in_millimetres = columns, columns * [1.0, 1000.0, 1.0]
+    one, other = logistic.fit(in_metres, right, 1.0), logistic.fit(in_millimetres, right, 1.0)
+    assert np.allclose(one, other * [1.0, 1000.0, 1.0], rtol=1e-6)
+
+
+def test_a_weight_of_the_wrong_sign_is_left_out():
+    columns, right = made_up([0.0, 1.0, -1.0], 2000)
+    weights = logistic.fit(columns, right, 1.0, signs=(0, 1, 1))
+    assert weights[2] == 0.0 and np.allclose(weights[:2], logistic.fit(columns[:, :2], right, 1.0))
+
+
+def test_a_large_penalty_keeps_weights_where_they_are_wanted():
+    columns, right = made_up([0.0, 1.0, -1.0], 2000)
+    towards = np.array([0.0, 0.5, 0.5])
+    assert np.abs(logistic.fit(columns, right, 1e9, towards=towards) - towards)[1:].max() < 1e-3
+
+
+def test_a_penalty_keeps_weights_finite_where_right_and_wrong_are_apart():
+    columns = np.array([[1.0, -1.0], [1.0, 1.0]] * 10)
+    weights = logistic.fit(columns, columns[:, 1].clip(0.0), 1.0)
+    assert np.isfinite(weights).all() and 1.0 < weights[1] < 5.0
+
+
+def test_measures_of_known_answers():
+    right, sure = np.array([1.0, 1.0, 0.0, 0.0]), np.array([0.9, 0.6, 0.6, 0.1])
+    # Of four pairs three are in order and one is even.
+    assert logistic.area_under_curve(sure, right) == 3.5 / 4
+    assert logistic.area_under_curve(sure, np.ones(4)) is None
+    assert abs(logistic.log_loss(np.full(4, 0.5), right) - np.log(2.0)) < 1e-12
+    # One right at 0.9, one wrong at 0.1, and of two at 0.6 one is right.
+    assert abs(logistic.calibration_error(sure, right) - (0.1 + 0.1 + 0.2) / 4) < 1e-12
+
+
+def test_what_need_not_be_found_is_right_when_its_kind_is():
+    assert calibration.is_right(found("cone", "right")) == 1
+    assert calibration.is_right(found("cone", "wrong", on="cone")) == 0
+    assert calibration.is_right(found("cone", "no matter", on="cone")) == 1
+    assert calibration.is_right(found("cone", "no matter", on="cylinder")) == 0
+    silent = {"kind": "plane", "verdict": "right"}
+    cases = calibration.cases_of([line(detections=[found("cone", "right"), silent, found("plane", "no matter")])])
+    assert len(cases.right) == 1 and cases.numbers.shape == (1, len(calibration.EVIDENCE))
+
+
+def test_weights_of_every_kind_become_rows_of_the_core():
+    random = np.random.default_rng(2)
+    detections = [found(kind, "right" if right else "wrong", evidence(right, random))
+                  for kind in calibration.KINDS for right in (0, 1) * 50]
+    cases = calibration.cases_of([line(detections=detections)])
+    weights = calibration.fit(cases)
+    probability = calibration.probabilities(weights, cases)
+    assert set(weights) == set(calibration.KINDS) and logistic.area_under_curve(probability, cases.right) > 0.9
+    rows = calibration.weights_text(weights).splitlines()[1:-1]
+    assert [row.split()[-1] for row in rows] == list(calibration.KINDS)
+    assert all(row.count(",") == calibration.features(cases).shape[1] for row in rows)
+    assert "held out" in tables.markdown(calibration.quality_table({"held out": (probability, cases)}))
+    assert len(calibration.threshold_table(probability, cases).rows) == 5
+
+
+def test_a_kind_without_wrong_ones_cannot_be_fitted():
+    detections = [found(kind, verdict) for kind in calibration.KINDS for verdict in ("right", "wrong")]
+    assert calibration.fit(calibration.cases_of([line(detections=detections)])) is not None
+    assert calibration.fit(calibration.cases_of([line(detections=detections[:-1])])) is None
+
+
+if __name__ == "__main__":
+    for name, test in list(globals().items()):
+        if name.startswith("test_"):
+            test()
+            print("ok", name)
