@@ -11,6 +11,7 @@
 
 #include "io/name_tags.h"
 #include "io/outlines.h"
+#include "io/percent_text.h"
 #include "io/shape_text.h"
 
 namespace primitect::io {
@@ -75,6 +76,11 @@ std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const View& view)
   return anchors;
 }
 
+std::string tagText(const Detection& detection) {
+  const std::string confidence = percentText(detection.confidence);
+  return nameText(detection) + (confidence.empty() ? "" : "  " + confidence);
+}
+
 /// Small things first, planes last: what comes first is named nearest to its place.
 std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
   const std::vector<cv::Point> anchors = anchorsOf(points, view);
@@ -83,7 +89,7 @@ std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
     for (std::size_t i = 0; i < anchors.size(); ++i) {
       const Detection& detection = points.detections.items[i];
       const Kind kind = kindOf(detection.shape);
-      if ((kind == Kind::plane) == planes) tags.push_back({nameText(detection), anchors[i], bgr(kind)});
+      if ((kind == Kind::plane) == planes) tags.push_back({tagText(detection), anchors[i], bgr(kind)});
     }
   }
   return tags;

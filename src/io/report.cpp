@@ -53,6 +53,7 @@ Json primitiveJson(const Detection& detection) {
   json["votes"] = detection.votes;
   json["rms_error"] = knownOrNull(detection.rms_error);
   json["confidence"] = knownOrNull(detection.confidence);
+  json["rival"] = detection.rival ? Json(kindName(*detection.rival)) : Json(nullptr);
   json["coverage"] = knownOrNull(detection.coverage);
   json["radius_stddev"] = knownOrNull(detection.radius_stddev);
   json["half_angle_stddev"] = knownOrNull(detection.half_angle_stddev);
@@ -60,6 +61,14 @@ Json primitiveJson(const Detection& detection) {
   json["concave"] = detection.concave;
   json["truncated"] = truncatedJson(detection.truncated);
   json["extent"] = extentJson(detection);
+  return json;
+}
+
+Json refusalsJson(const Refusals& refusals) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kRefusalCount; ++i) {
+    json[refusalName(static_cast<Refusal>(i))] = refusals.counts[i];
+  }
   return json;
 }
 
@@ -83,6 +92,7 @@ Json fileJson(const FileReport& report) {
   json["points_used"] = found.points_used;
   json["samples"] = found.samples;
   json["scene_diameter"] = found.scene_diameter;
+  json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = Json::array();
   for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));
   json["timing_ms"] = timingJson(report.timing_ms);

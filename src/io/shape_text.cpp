@@ -9,6 +9,8 @@
 namespace primitect::io {
 namespace {
 
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
 std::string format(const char* pattern, double value) {
   char text[64];
   std::snprintf(text, sizeof(text), pattern, value);
@@ -32,7 +34,6 @@ std::string shapeSize(const Sphere& sphere, const Extent&) { return "r " + lengt
 std::string shapeSize(const Cylinder& cylinder, const Extent&) { return "r " + lengthText(cylinder.radius); }
 
 std::string shapeSize(const Cone& cone, const Extent&) {
-  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
   return "half angle " + format("%.1f deg", cone.half_angle * kDegrees);
 }
 
@@ -58,10 +59,41 @@ std::string nameText(const Detection& detection) {
   return size.empty() ? kind : kind + " " + size;
 }
 
+std::string deviationText(const Detection& detection) {
+  const Kind kind = kindOf(detection.shape);
+  const float deviation = kind == Kind::cone ? detection.half_angle_stddev : detection.radius_stddev;
+  if (kind == Kind::plane || deviation == kUnknown) return "";
+  return kind == Kind::cone ? format("%.2f deg", kDegrees * deviation) : format("%.2f mm", 1000.0 * deviation);
+}
+
+std::string truncationText(std::uint8_t truncated) {
+  if (truncated & kTruncationUnknown) truncated &= kTruncatedByDepth;  // then only this is told
+  std::string text;
+  const auto add = [&](Truncation bit, const char* word) {
+    if (truncated & bit) text += (text.empty() ? "" : ", ") + std::string(word);
+  };
+  add(kTruncatedByImage, "image");
+  add(kTruncatedByDepth, "depth");
+  add(kTruncatedByOcclusion, "occlusion");
+  return text;
+}
+
+std::string refusalsText(const Refusals& refusals) {
+  std::string text;
+  for (std::size_t i = 0; i < kRefusalCount; ++i) {
+    if (refusals.counts[i] == 0) continue;
+    text +=
+        (text.empty() ? "" : ", ") + std::to_string(refusals.counts[i]) + " " + refusalName(static_cast<Refusal>(i));
+  }
+  return text;
+}
+
 std::string reasonText(const Detections& detections) {
   switch (detections.status) {
     case Status::ok:
-      return detections.items.empty() ? "no shape got enough votes and inliers (min_votes, min_inliers)" : "";
+      return detections.items.empty()
+                 ? "no shape got enough votes (min_votes), inliers (min_inliers) and confidence (min_confidence)"
+                 : "";
     case Status::empty_input:
       return "of " + std::to_string(detections.points_in) +
              " points none is measured and within the depth range (min_depth, max_depth)";

@@ -21,6 +21,15 @@ std::string kindText(const Detection& detection);
 /// Kind and size: "cylinder r 39 mm".
 std::string nameText(const Detection& detection);
 
+/// Standard deviation of radius or half angle: "0.3 mm", "0.12 deg"; "" for planes and where it is unknown.
+std::string deviationText(const Detection& detection);
+
+/// Why the extent is only a lower bound: "image, occlusion"; "" if it is not, or where it is unknown.
+std::string truncationText(std::uint8_t truncated);
+
+/// "12 few inliers, 3 unlikely"; "" if there was none.
+std::string refusalsText(const Refusals& refusals);
+
 /// Why there is nothing to see: one line for a person, for any status.
 std::string reasonText(const Detections& detections);
 

@@ -14,7 +14,7 @@ constexpr double kSilenceSeconds = 5.0;
 
 }  // namespace
 
-void FrameCounters::count(const PrimitiveArray& message) {
+void FrameCounters::count(const PrimitiveArray& message, const Refusals& refusals) {
   if (message.status < kStatusCount) ++by_status[message.status];
   last_status = message.status;
   last_points_in = message.points_in;
@@ -24,6 +24,7 @@ void FrameCounters::count(const PrimitiveArray& message) {
     ++last_by_kind[primitive.type];
     ++by_kind[primitive.type];
   }
+  for (std::size_t i = 0; i < kRefusalCount; ++i) refused[i] += refusals.counts[i];
 }
 
 DetectorDiagnostics::DetectorDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
@@ -40,8 +41,8 @@ void DetectorDiagnostics::frameReceived() {
   last_frame_ = SteadyClock::now();
 }
 
-void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const std::string& error) {
-  counters_.count(message);
+void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, const std::string& error) {
+  counters_.count(message, refusals);
   last_error_ = error;
 }
 
@@ -93,6 +94,9 @@ void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {
     status.add(name + " in all frames", counters_.by_kind[i]);
   }
   status.summary(DiagnosticStatus::OK, summary);
+  for (std::size_t i = 0; i < kRefusalCount; ++i) {
+    status.add(std::string("refused: ") + refusalName(static_cast<Refusal>(i)), counters_.refused[i]);
+  }
   status.add("last status", statusName(static_cast<Status>(counters_.last_status)));
 }
 

@@ -23,12 +23,13 @@ struct FrameCounters {
   std::uint64_t failed = 0;                                 ///< ended by an exception
   std::array<std::uint64_t, kStatusCount> by_status = {};   ///< frames of each PrimitiveArray.status
   std::array<std::uint64_t, kKindCount> by_kind = {};       ///< primitives reported
+  std::array<std::uint64_t, kRefusalCount> refused = {};    ///< shapes that were tried and did not come out
   std::array<std::uint32_t, kKindCount> last_by_kind = {};  ///< primitives of the last frame
   std::uint32_t last_points_in = 0;
   std::uint32_t last_points_used = 0;
   std::uint8_t last_status = PrimitiveArray::OK;
 
-  void count(const PrimitiveArray& message);
+  void count(const PrimitiveArray& message, const Refusals& refusals);
 };
 
 class DetectorDiagnostics {
@@ -37,7 +38,7 @@ class DetectorDiagnostics {
   DetectorDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
 
   void frameReceived();
-  void frameDone(const PrimitiveArray& message, const std::string& error);
+  void frameDone(const PrimitiveArray& message, const Refusals& refusals, const std::string& error);
   void frameFailed(const std::string& error);
 
   /// Publishes now; for a wall timer, as the updater's own clock stalls when time jumps back.

@@ -109,7 +109,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   if (problem.empty()) problem = no_transform;
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
-  diagnostics_->frameDone(message, problem);
+  diagnostics_->frameDone(message, pipeline_->refusals(), problem);
   publish(cloud, message);
 }
 

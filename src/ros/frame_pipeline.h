@@ -31,6 +31,9 @@ class FramePipeline {
   /// What was wrong with the last cloud and what was expected; empty: it was searched.
   const std::string& problem() const { return problem_; }
 
+  /// Of the last cloud: how often shapes were tried that did not come out, and why.
+  const Refusals& refusals() const { return detections_.refusals; }
+
   /// Of the last cloud that process() could read.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;

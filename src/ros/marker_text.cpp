@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Kind and size in words, and a place where they hide nothing.
+// Kind, size and confidence in words, and a place where they hide nothing.
 #include "marker_text.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "geometry_messages.h"
+#include "io/percent_text.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -35,25 +36,29 @@ std::string length(double metres) {
 }
 
 std::string describeShape(const Primitive& primitive) {
+  if (primitive.type == Primitive::PLANE) return "plane";
+  if (primitive.type == Primitive::SPHERE) return "sphere r " + length(primitive.radius);
+  if (primitive.type == Primitive::CYLINDER) return "cylinder r " + length(primitive.radius);
   char text[32];
-  switch (primitive.type) {
-    case Primitive::PLANE:
-      std::snprintf(text, sizeof text, "plane\n%.2f x %.2f m", primitive.size[0], primitive.size[1]);
-      return text;
-    case Primitive::SPHERE:
-      return "sphere r " + length(primitive.radius);
-    case Primitive::CYLINDER:
-      return "cylinder r " + length(primitive.radius) + "\nlength " + length(primitive.size[2]);
-    default:
-      std::snprintf(text, sizeof text, "cone %.0f deg", primitive.half_angle * 180.0 / M_PI);
-      return text + ("\nlength " + length(primitive.size[2]));
-  }
+  std::snprintf(text, sizeof text, "cone %.0f deg", primitive.half_angle * 180.0 / M_PI);
+  return text;
+}
+
+/// What does not fit into the first line.
+std::string describeExtent(const Primitive& primitive) {
+  if (primitive.type == Primitive::SPHERE) return "";
+  if (primitive.type != Primitive::PLANE) return "\nlength " + length(primitive.size[2]);
+  char text[32];
+  std::snprintf(text, sizeof text, "\n%.2f x %.2f m", primitive.size[0], primitive.size[1]);
+  return text;
 }
 
 }  // namespace
 
 std::string describe(const Primitive& primitive) {
-  return (primitive.concave ? "concave " : "") + describeShape(primitive);
+  const std::string confidence = io::percentText(primitive.confidence);
+  return (primitive.concave ? "concave " : "") + describeShape(primitive) +
+         (confidence.empty() ? "" : " " + confidence) + describeExtent(primitive);
 }
 
 Vec3 textPosition(const Primitive& primitive, const Vec3& up, double height) {

@@ -11,7 +11,8 @@
 
 namespace primitect::ros_layer {
 
-/// Kind and size in one or two lines: "cylinder r 39 mm", "length 120 mm"; "plane", "0.62 x 0.41 m"; ...
+/// Kind, size and confidence in one or two lines: "cylinder r 39 mm 97 %", "length 120 mm"; "plane 99 %",
+/// "0.62 x 0.41 m"; ... Nothing stands in the place of an unknown confidence.
 std::string describe(const Primitive& primitive);
 
 /// Planes carry their text near the lower edge, where nothing stands on them; bodies on top.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,7 @@ namespace {
 static_assert(static_cast<int>(Kind::plane) == Primitive::PLANE && static_cast<int>(Kind::sphere) == Primitive::SPHERE);
 static_assert(static_cast<int>(Kind::cylinder) == Primitive::CYLINDER);
 static_assert(static_cast<int>(Kind::cone) == Primitive::CONE);
+static_assert(kKindCount <= Primitive::NO_RIVAL);
 static_assert(int{kTruncatedByImage} == Primitive::TRUNCATED_BY_IMAGE);
 static_assert(int{kTruncatedByDepth} == Primitive::TRUNCATED_BY_DEPTH);
 static_assert(int{kTruncatedByOcclusion} == Primitive::TRUNCATED_BY_OCCLUSION);
@@ -74,6 +76,10 @@ Extent extentOf(const Primitive& message) {
   return extent;
 }
 
+std::uint8_t rivalNumber(const std::optional<Kind>& rival) {
+  return rival ? static_cast<std::uint8_t>(*rival) : std::uint8_t{Primitive::NO_RIVAL};
+}
+
 Detection fromMessage(const Primitive& message) {
   Detection detection;
   detection.extent = extentOf(message);
@@ -82,6 +88,7 @@ Detection fromMessage(const Primitive& message) {
   detection.inlier_count = message.inlier_count;
   detection.rms_error = message.rms_error;
   detection.confidence = message.confidence;
+  if (message.rival < kKindCount) detection.rival = static_cast<Kind>(message.rival);
   detection.coverage = message.coverage;
   detection.radius_stddev = message.radius_stddev;
   detection.half_angle_stddev = message.half_angle_stddev;
@@ -127,6 +134,7 @@ Primitive toMessage(const Detection& detection, std::uint32_t id) {
   message.radius_stddev = detection.radius_stddev;
   message.half_angle_stddev = detection.half_angle_stddev;
   message.confidence = detection.confidence;
+  message.rival = rivalNumber(detection.rival);
   message.votes = detection.votes;
   message.inlier_count = detection.inlier_count;
   message.rms_error = detection.rms_error;

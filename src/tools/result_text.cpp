@@ -8,6 +8,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "io/percent_text.h"
 #include "io/shape_text.h"
 
 namespace primitect::tools {
@@ -30,11 +31,37 @@ std::string fullSize(const Detection& detection) {
   return io::sizeText(detection) + (long_one && length > 0.0 ? ", length " + io::lengthText(length) : "");
 }
 
+std::string orDash(const std::string& text) { return text.empty() ? "-" : text; }
+
+/// What is worth a remark about few: "cut off by image, or a cone".
+std::string remarkText(const Detection& detection) {
+  std::string text = io::truncationText(detection.truncated);
+  if (!text.empty()) text = "cut off by " + text;
+  if (!detection.rival) return text;
+  return text + (text.empty() ? "or a " : "; or a ") + kindName(*detection.rival);
+}
+
+std::string headingText() {
+  return format("  %3s  %-16s  %-34s  %8s  %8s %8s %8s  %6s  %8s  %8s  %7s  %6s\n", "#", "kind", "size", "stddev",
+                "x (m)", "y", "z", "conf.", "coverage", "inliers", "votes", "rms");
+}
+
 std::string rowText(std::size_t number, const Detection& detection) {
   const Vec3& p = detection.extent.origin;
   const std::string rms = detection.rms_error < 0.0f ? "-" : format("%.1f mm", 1000.0 * detection.rms_error);
-  return format("  %3zu  %-16s  %-36s  %8.3f %8.3f %8.3f  %7u  %7.0f  %s\n", number, io::kindText(detection).c_str(),
-                fullSize(detection).c_str(), p.x(), p.y(), p.z(), detection.inlier_count, detection.votes, rms.c_str());
+  std::string row = format(
+      "  %3zu  %-16s  %-34s  %8s  %8.3f %8.3f %8.3f  %6s  %8s", number, io::kindText(detection).c_str(),
+      fullSize(detection).c_str(), orDash(io::deviationText(detection)).c_str(), p.x(), p.y(), p.z(),
+      orDash(io::percentText(detection.confidence)).c_str(), orDash(io::percentText(detection.coverage)).c_str());
+  row += format("  %8u  %7.0f  %6s", detection.inlier_count, detection.votes, rms.c_str());
+  const std::string remark = remarkText(detection);
+  return row + (remark.empty() ? "" : "  " + remark) + "\n";
+}
+
+/// "Why is my object missing?" in one line.
+std::string refusedText(const Refusals& refusals) {
+  const std::string counts = io::refusalsText(refusals);
+  return counts.empty() ? "" : "  tried and refused: " + counts + "\n";
 }
 
 std::string timesText(const io::FileReport& report) {
@@ -97,11 +124,10 @@ std::string resultText(const io::FileReport& report, const Cloud& whole, const D
   if (found.items.empty()) {
     text += "  nothing found: " + emptyText(found, whole, range) + "\n";
   } else {
-    text +=
-        "    #  kind              size                                         position (m)         inliers    votes  "
-        "rms\n";
+    text += headingText();
   }
   for (std::size_t i = 0; i < found.items.size(); ++i) text += rowText(i + 1, found.items[i]);
+  text += refusedText(found.refusals);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));
 }
 

@@ -31,7 +31,7 @@ TEST_F(DetectProgram, FindsTheBallAndWritesNothingButJson) {
   ASSERT_EQ(json["primitives"].size(), 2u) << json.dump(1);
   EXPECT_TRUE(hasSphere(json, 0.1)) << json.dump(1);
   EXPECT_TRUE(json["primitives"][0]["type"] == "plane" || json["primitives"][1]["type"] == "plane");
-  for (const char* stage : {"read", "sample", "normals", "vote", "cluster", "segment", "extent", "total"}) {
+  for (const char* stage : {"read", "sample", "normals", "vote", "segment", "look closer", "measure", "total"}) {
     EXPECT_TRUE(json["timing_ms"].contains(stage)) << stage;
   }
 }
@@ -41,6 +41,16 @@ TEST_F(DetectProgram, PrintsATableWithoutJson) {
   EXPECT_NE(out.find("sphere"), std::string::npos);
   EXPECT_NE(out.find("r 1"), std::string::npos) << out;  // 0.1 m
   EXPECT_NE(out.find("total"), std::string::npos);
+}
+
+TEST_F(DetectProgram, PrintsHowSureItIsAndWhatItRefused) {
+  EXPECT_EQ(run(ball), 0);
+  const std::string row = out.substr(out.find("sphere"), out.find('\n', out.find("sphere")) - out.find("sphere"));
+  EXPECT_NE(row.find(" mm "), std::string::npos) << row;  // its radius' standard deviation
+  EXPECT_NE(row.find(" %"), std::string::npos) << row;
+  EXPECT_EQ(run(ball + " --min_confidence 1"), 0);
+  EXPECT_NE(out.find("nothing found: no shape"), std::string::npos) << out;
+  EXPECT_NE(out.find(" unlikely\n"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, SaysWhyNothingWasFound) {

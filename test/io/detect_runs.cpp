@@ -14,7 +14,7 @@ using primitect::test::ballPly;
 using primitect::test::DetectProgram;
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> kStages = {"sample", "normals", "vote", "cluster", "segment", "extent"};
+const std::vector<std::string> kStages = {"sample", "normals", "vote", "segment", "look closer", "measure"};
 
 /// Planes alone leave the ball to the second round.
 const char* const kTwoRounds = " --rounds 2 --detect_spheres false --detect_cylinders false --detect_cones false";

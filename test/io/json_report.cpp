@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/percent_text.h"
 #include "io/report.h"
 #include "io/shape_text.h"
 
@@ -108,6 +109,21 @@ TEST(JsonReport, SaysWhatIsSeenFromInside) {
   EXPECT_EQ(primitives[1]["concave"], true);
 }
 
+TEST(JsonReport, NamesTheRivalOrNone) {
+  FileReport report = fourKinds();
+  report.detections.items[3].rival = Kind::cylinder;
+  const Json primitives = Json::parse(reportJson(report))["primitives"];
+  EXPECT_EQ(primitives[3]["rival"], "cylinder");
+  EXPECT_TRUE(primitives[2]["rival"].is_null());
+}
+
+TEST(JsonReport, CountsWhatWasRefused) {
+  FileReport report = fourKinds();
+  report.detections.refusals[Refusal::limits] = 7;
+  const Json refused = Json::parse(reportJson(report))["refused"];
+  EXPECT_EQ(refused, Json({{"few inliers", 0}, {"limits", 7}, {"unlikely", 0}}));
+}
+
 TEST(JsonReport, SaysWhyNothingCameOut) {
   FileReport empty;
   empty.detections.status = Status::empty_input;
@@ -154,6 +170,43 @@ TEST(NamesOfShapes, SayWhatIsSeenFromInside) {
   tube.concave = true;
   EXPECT_EQ(kindText(tube), "concave cylinder");
   EXPECT_EQ(nameText(tube), "concave cylinder r 39 mm");
+}
+
+TEST(WordsForPeople, GiveSharesInPercentAndSureOnlyWhereNothingIsMissing) {
+  EXPECT_EQ(percentText(0.973f), "97 %");
+  EXPECT_EQ(percentText(0.0f), "0 %");
+  EXPECT_EQ(percentText(0.9999f), "99 %");
+  EXPECT_EQ(percentText(1.0f), "100 %");
+  EXPECT_EQ(percentText(kUnknown), "");
+}
+
+TEST(WordsForPeople, GiveTheDeviationOfWhatTheKindHas) {
+  Detection ball = detectionOf(Sphere{{0, 0, 1}, 0.1});
+  EXPECT_EQ(deviationText(ball), "");
+  ball.radius_stddev = 0.00025f;
+  EXPECT_EQ(deviationText(ball), "0.25 mm");
+  Detection cone = detectionOf(Cone{{0, 0, 1}, {0, 0, 1}, 0.5});
+  cone.radius_stddev = 0.001f;
+  cone.half_angle_stddev = 0.0043633f;
+  EXPECT_EQ(deviationText(cone), "0.25 deg");
+  Detection plane = detectionOf(Plane{});
+  plane.radius_stddev = plane.half_angle_stddev = 0.0f;
+  EXPECT_EQ(deviationText(plane), "");
+}
+
+TEST(WordsForPeople, SayWhatCutsOffAShape) {
+  EXPECT_EQ(truncationText(0), "");
+  EXPECT_EQ(truncationText(kTruncatedByImage | kTruncatedByOcclusion), "image, occlusion");
+  EXPECT_EQ(truncationText(kTruncationUnknown), "");
+  EXPECT_EQ(truncationText(kTruncationUnknown | kTruncatedByDepth), "depth");
+}
+
+TEST(WordsForPeople, CountOnlyTheRefusalsThatWere) {
+  Refusals refusals;
+  EXPECT_EQ(refusalsText(refusals), "");
+  refusals[Refusal::few_inliers] = 12;
+  refusals[Refusal::unlikely] = 3;
+  EXPECT_EQ(refusalsText(refusals), "12 few inliers, 3 unlikely");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """bag.launch: a looped bag of clouds (time jumps back at its end), and a recorded depth camera."""
+import math
 import os
 import signal
 import subprocess
@@ -94,7 +95,12 @@ class Bags(unittest.TestCase):
                       "config:=" + config, "loop:=true", "delay:=2"):
             self.assertTrue(wait_for(lambda: len(primitives.all()) >= 10))
         print("ball in %d of %d frames" % (len(with_ball()), len(primitives.all())))
-        self.assertGreater(len(with_ball()), len(primitives.all()) / 2)
+        self.assertEqual(len(with_ball()), len(primitives.all()))
+        for ball in [p for m in with_ball() for p in m.primitives if is_the_ball(p)]:
+            self.assertGreater(ball.confidence, 0.9)
+            # Not certain, and better than one point (m); beyond 2 m neighbouring points err alike.
+            self.assertTrue(all(1e-4 < math.sqrt(ball.pose.covariance[7 * i]) < 0.02 for i in range(3)))
+            self.assertTrue(1e-4 < ball.radius_stddev < 0.02)
 
 
 if __name__ == "__main__":

@@ -119,6 +119,16 @@ TEST(Markers, OfAShapeSeenFromInsideSaySoAndAreDrawnAlike) {
   EXPECT_EQ(markerOf(inside, "cylinder").scale.z, markerOf(outside, "cylinder").scale.z);
 }
 
+TEST(Markers, SayHowSureADetectionIs) {
+  std::vector<Detection> items = {sphereAt(0.2), cylinderUpright(), frustum(), squareFacingTheSensor()};
+  for (Detection& item : items) item.confidence = 0.973f;
+  const auto array = MarkerWriter().update(messageOf(items), MarkerStyle());
+  EXPECT_EQ(markerOf(array, "sphere_text").text, "sphere r 39 mm 97 %");
+  EXPECT_EQ(markerOf(array, "cylinder_text").text, "cylinder r 39 mm 97 %\nlength 120 mm");
+  EXPECT_EQ(markerOf(array, "cone_text").text, "cone 22 deg 97 %\nlength 100 mm");
+  EXPECT_EQ(markerOf(array, "plane_text").text, "plane 97 %\n0.50 x 0.50 m");
+}
+
 TEST(Markers, FillThePlanesOutline) {
   MarkerWriter writer;
   const auto array = writer.update(messageOf({squareFacingTheSensor()}), MarkerStyle());

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace primitect {
 namespace {
@@ -26,6 +28,12 @@ Detection coneDetection() {
   detection.votes = 12.5f;
   detection.inlier_count = 77;
   detection.rms_error = 0.002f;
+  detection.confidence = 0.75f;
+  detection.coverage = 0.5f;
+  detection.radius_stddev = 0.001f;
+  detection.half_angle_stddev = 0.002f;
+  for (std::size_t i = 0; i < 36; ++i) detection.covariance[i] = 1.0 + static_cast<double>(i);
+  detection.rival = Kind::cylinder;
   detection.concave = true;
   detection.truncated = kTruncatedByDepth | kTruncatedByImage;
   detection.track_id = 5;
@@ -76,6 +84,7 @@ TEST(Messages, HoldUnknownWhereNoStageFilledAField) {
   EXPECT_EQ(message.radius_stddev, -1.0f);
   EXPECT_EQ(message.half_angle_stddev, -1.0f);
   EXPECT_EQ(message.confidence, -1.0f);
+  EXPECT_EQ(message.rival, Primitive::NO_RIVAL);
   EXPECT_EQ(message.rms_error, -1.0f);
   EXPECT_EQ(message.coverage, -1.0f);
   EXPECT_EQ(message.truncated, Primitive::TRUNCATED_UNKNOWN);
@@ -106,6 +115,15 @@ TEST(Messages, GiveBackTheDetections) {
   EXPECT_DOUBLE_EQ(cone.half_angle, 0.25);  // a number that float32 holds exactly
   EXPECT_EQ(back.items[1].extent.radius_small, 0.0625);
   EXPECT_EQ(back.items[1].inlier_count, 77u);
+  EXPECT_EQ(back.items[1].votes, 12.5f);
+  EXPECT_EQ(back.items[1].rms_error, 0.002f);
+  EXPECT_EQ(back.items[1].confidence, 0.75f);
+  EXPECT_EQ(back.items[1].coverage, 0.5f);
+  EXPECT_EQ(back.items[1].radius_stddev, 0.001f);
+  EXPECT_EQ(back.items[1].half_angle_stddev, 0.002f);
+  EXPECT_EQ(back.items[1].covariance, detections.items[1].covariance);
+  EXPECT_EQ(back.items[1].rival, Kind::cylinder);
+  EXPECT_FALSE(back.items[0].rival);
   EXPECT_TRUE(back.items[1].concave);
   EXPECT_EQ(back.items[1].truncated, kTruncatedByDepth | kTruncatedByImage);
   EXPECT_EQ(back.items[1].track_id, 5u);
@@ -137,6 +155,60 @@ TEST(Messages, MoveToAnotherFrameAsRigidBodies) {
   EXPECT_EQ(moved.items[0].covariance[0], -1.0);  // unknown stays unknown
   EXPECT_NEAR(moved.items[1].covariance[0], 0.0, 1e-12);
   EXPECT_NEAR(moved.items[1].covariance[7], 4.0, 1e-12);
+}
+
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+Matrix6 covarianceOf(const Primitive& primitive) { return Eigen::Map<const Matrix6>(primitive.pose.covariance.data()); }
+
+PrimitiveArray messageWithCovariance(const Detection& detection, const Matrix6& covariance) {
+  Detections detections;
+  detections.items.push_back(detection);
+  std::copy(covariance.data(), covariance.data() + 36, detections.items[0].covariance.begin());
+  return toMessage(detections, someHeader());
+}
+
+/// Errors of position and turn are vectors of the header's frame: in the target they are turned likewise.
+TEST(Messages, TurnTheCovarianceWithTheFrame) {
+  Matrix6 factor;
+  for (int i = 0; i < 36; ++i) factor(i / 6, i % 6) = std::sin(1.0 + i);  // no structure that could hide a mistake
+  const Matrix6 covariance = factor * factor.transpose();
+  PrimitiveArray message = messageWithCovariance(coneDetection(), covariance);
+  Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
+  move.linear() = someRotation();
+  move.translation() = Vec3(1.0, 2.0, 3.0);
+  transformPrimitives(move, message);
+  const Matrix6 moved = covarianceOf(message.primitives[0]);
+  EXPECT_TRUE(moved.isApprox(moved.transpose(), 1e-12));
+  for (int k = 0; k < 12; ++k) {
+    const Vec3 shift(std::sin(k), std::cos(2.0 * k), 0.5), turn(0.3, std::sin(3.0 * k), std::cos(k));
+    Eigen::Matrix<double, 6, 1> along, along_moved;
+    along << shift, turn;
+    along_moved << move.linear() * shift, move.linear() * turn;
+    EXPECT_NEAR(along_moved.dot(moved * along_moved), along.dot(covariance * along), 1e-9);
+  }
+}
+
+TEST(Messages, KeepWhatIsSureAboutAPlaneSureInAnotherFrame) {
+  const Detection plane = planeDetection();
+  constexpr double kVariance = 4e-6, kTurnVariance = 1e-5, kUnobservable = 1e6;
+  Matrix6 covariance = Matrix6::Zero();
+  const Eigen::Matrix3d& axes = plane.extent.rotation;
+  covariance.topLeftCorner<3, 3>() =
+      axes * Vec3(kUnobservable, kUnobservable, kVariance).asDiagonal() * axes.transpose();
+  covariance.bottomRightCorner<3, 3>() =
+      axes * Vec3(kTurnVariance, kTurnVariance, kUnobservable).asDiagonal() * axes.transpose();
+  PrimitiveArray message = messageWithCovariance(plane, covariance);
+  Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
+  move.linear() = Eigen::AngleAxisd(1.0, Vec3(0.2, 0.5, -1.0).normalized()).toRotationMatrix();
+  transformPrimitives(move, message);
+  const Vec3 normal = std::get<Plane>(fromMessage(message).items[0].shape).normal;
+  const Matrix6 moved = covarianceOf(message.primitives[0]);
+  // 1e6 has a rounding error of 1e-10 in double, a few of which add up.
+  EXPECT_NEAR(normal.dot(moved.topLeftCorner<3, 3>() * normal), kVariance, 5e-9);
+  const Vec3 within = normal.unitOrthogonal();
+  EXPECT_NEAR(within.dot(moved.bottomRightCorner<3, 3>() * within), kTurnVariance, 5e-9);
+  EXPECT_NEAR(within.dot(moved.topLeftCorner<3, 3>() * within), kUnobservable, 1.0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The whole way through a master: simulated camera, detector, messages, markers, labels, against the truth."""
+import collections
 import math
 import struct
 import sys
@@ -9,6 +10,7 @@ import unittest
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry import away_from_line, between, distance, dot, vector, z_axis
 from primitect.msg import Primitive, PrimitiveArray
 from ros_helpers import Collector, wait_for
@@ -28,6 +30,7 @@ TYPES = {PRIMITIVES: PrimitiveArray, MARKERS: MarkerArray, LABELS: PointCloud2, 
 # Exact depths: what is left is the voting and the fit.
 POSITION = 0.02  # m
 ANGLE = math.radians(10)
+UNOBSERVABLE = 1.001e6  # m^2, rad^2, and rounding
 ENOUGH = 0.6  # of the true bodies; small or hidden ones may be missed
 
 
@@ -35,6 +38,13 @@ def stamp_of(message):
     if isinstance(message, MarkerArray):
         return message.markers[-1].header.stamp if message.markers else None
     return message.transforms[0].header.stamp if isinstance(message, TFMessage) else message.header.stamp
+
+
+def counts_of(labels):
+    """How many points carry each label."""
+    offset = [f.offset for f in labels.fields if f.name == "label"][0]
+    return collections.Counter(struct.unpack_from("<I", labels.data, begin + offset)[0]
+                               for begin in range(0, len(labels.data), labels.point_step))
 
 
 def is_the_plane(found, true):
@@ -59,6 +69,7 @@ class SimulatedCamera(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         collectors = {topic: Collector(topic, message_type) for topic, message_type in TYPES.items()}
+        cls.diagnostics = Collector("/diagnostics", DiagnosticArray)
         cls.frames = []
 
         def enough():  # frames of which everything has come; a slow machine loses some
@@ -101,6 +112,49 @@ class SimulatedCamera(unittest.TestCase):
             self.assertTrue(pairs, "the scene has no " + KINDS[kind])
             self.assertGreaterEqual(len(found), ENOUGH * len(pairs), KINDS[kind])
 
+    def test_says_how_sure_and_how_exact_every_primitive_is(self):
+        least = rospy.get_param("/detector/min_confidence")
+        for p in [p for frame in self.frames for p in frame[PRIMITIVES].primitives]:
+            with self.subTest(kind=KINDS[p.type], id=p.id):
+                self.assertTrue(least <= p.confidence <= 1.0, p.confidence)
+                self.assertTrue(0.0 < p.coverage <= 1.0, p.coverage)
+                self.assertTrue(0.0 <= p.rms_error < 0.02, p.rms_error)
+                self.assertNotEqual(p.rival, p.type)
+                self.assertTrue(p.rival == Primitive.NO_RIVAL or p.rival < len(KINDS), p.rival)
+                self.assertEqual(p.truncated & Primitive.TRUNCATED_UNKNOWN, 0)  # it is a pinhole camera
+                self.assertEqual(p.radius_stddev > 0.0, p.type != Primitive.PLANE)
+                self.assertEqual(p.half_angle_stddev > 0.0, p.type == Primitive.CONE)
+                self.check_covariance(p)
+
+    def check_covariance(self, p):
+        rows = [p.pose.covariance[6 * i:6 * i + 6] for i in range(6)]
+        for i in range(6):
+            self.assertTrue(0.0 < rows[i][i] < UNOBSERVABLE, rows[i])
+            for j in range(i):
+                self.assertAlmostEqual(rows[i][j], rows[j][i], delta=1e-6)
+                self.assertLessEqual(rows[i][j] ** 2, rows[i][i] * rows[j][j] * (1 + 1e-6) + 1e-6)
+        if p.type == Primitive.SPHERE:  # its turns cannot be observed, its place can
+            self.assertLess(max(rows[i][i] for i in range(3)), POSITION ** 2)
+            self.assertGreater(min(rows[i][i] for i in range(3, 6)), 0.99 * UNOBSERVABLE)
+
+    def test_counts_points_of_the_cloud_as_inliers(self):
+        message, labels = self.frames[-1][PRIMITIVES], self.frames[-1][LABELS]
+        counts = counts_of(labels)
+        for p in message.primitives:
+            # The last fit moves the surface a little, and points at its edges change sides.
+            self.assertAlmostEqual(counts.get(p.id + 1, 0), p.inlier_count, delta=0.2 * p.inlier_count + 20)
+
+    def test_lists_in_the_diagnostics_why_shapes_were_refused(self):
+        def refused():
+            """The newest counts by reason."""
+            reports = [s for a in self.diagnostics.all() for s in a.status if s.name.endswith("detector: detection")]
+            values = reports[-1].values if reports else []
+            return {v.key: int(v.value) for v in values if v.key.startswith("refused: ")}
+        self.assertTrue(wait_for(lambda: refused()))
+        self.assertEqual(set(refused()), {"refused: few inliers", "refused: limits", "refused: unlikely"})
+        # Every candidate is tried as every kind: some of that never comes out.
+        self.assertTrue(wait_for(lambda: sum(refused().values()) > 0))
+
     def test_marks_every_primitive_in_its_place_and_size(self):
         for frame in self.frames:
             array = frame[MARKERS].markers
@@ -132,11 +186,7 @@ class SimulatedCamera(unittest.TestCase):
     def test_labels_the_points_with_id_plus_one(self):
         message, labels = self.frames[-1][PRIMITIVES], self.frames[-1][LABELS]
         self.assertEqual((labels.width, labels.height), (640, 480))
-        offset = [f.offset for f in labels.fields if f.name == "label"][0]
-        counts = {}
-        for begin in range(0, len(labels.data), labels.point_step):
-            label = struct.unpack_from("<I", labels.data, begin + offset)[0]
-            counts[label] = counts.get(label, 0) + 1
+        counts = counts_of(labels)
         self.assertLessEqual(max(counts), len(message.primitives))
         largest = max(message.primitives, key=lambda p: p.inlier_count)
         self.assertGreater(counts.get(largest.id + 1, 0), 1000)

@@ -17,12 +17,17 @@ from visualization_msgs.msg import MarkerArray
 SCENE = wall_and_ball()  # the wall is at z = 1.2 m of the camera
 
 
-def camera_above_base():
-    """The camera looks down on the base from 5 m: its z axis is the base's -z axis."""
+HEIGHT = 0.7  # m
+UNOBSERVABLE = 1e6  # m^2
+
+
+def camera_looking_ahead():
+    """At a height above the base; its x, y, z axes (right, down, ahead) are the base's -y, -z, x axes."""
     transform = TransformStamped()
     transform.header.frame_id, transform.child_frame_id = "base", "camera"
-    transform.transform.translation.z = 5.0
-    transform.transform.rotation.x = 1.0
+    transform.transform.translation.z = HEIGHT
+    rotation = transform.transform.rotation
+    rotation.x, rotation.y, rotation.z, rotation.w = -0.5, 0.5, -0.5, 0.5
     return transform
 
 
@@ -41,7 +46,7 @@ class TargetFrame(unittest.TestCase):
         self.assertTrue(wait_for(warned))
 
         broadcaster = tf2_ros.StaticTransformBroadcaster()
-        broadcaster.sendTransform(camera_above_base())
+        broadcaster.sendTransform(camera_looking_ahead())
         answers = []
 
         def moved():
@@ -51,10 +56,27 @@ class TargetFrame(unittest.TestCase):
         answer = answers[-1]
         self.assertEqual(answer.header.frame_id, "base")
         wall = max((p for p in answer.primitives if p.type == Primitive.PLANE), key=lambda p: p.inlier_count)
-        self.assertAlmostEqual(wall.pose.pose.position.z, 5.0 - 1.2, delta=0.03)
+        self.assertAlmostEqual(wall.pose.pose.position.x, 1.2, delta=0.03)
         for corner in wall.hull:
-            self.assertAlmostEqual(corner.z, 5.0 - 1.2, delta=0.1)
+            self.assertAlmostEqual(corner.x, 1.2, delta=0.1)
+        self.check_covariance_of_wall(wall)
+        ball = max((p for p in answer.primitives if p.type == Primitive.SPHERE), key=lambda p: p.inlier_count)
+        self.assertAlmostEqual(ball.pose.pose.position.x, 0.8, delta=0.01)
+        self.assertAlmostEqual(ball.pose.pose.position.z, HEIGHT, delta=0.01)
+        # Seen from one side, its distance is what is known least of its place.
+        variances = ball.pose.covariance[0:36:7]
+        self.assertGreater(variances[0], max(variances[1:3]))
+        self.assertLess(variances[0], 0.01 ** 2)
         self.assertTrue(wait_for(lambda: markers.last() and markers.last().markers[-1].header.frame_id == "base"))
+
+    def check_covariance_of_wall(self, wall):
+        """Ahead is where the wall is known: shift along x, turns about y and z. All else cannot be observed."""
+        shift_x, shift_y, shift_z, turn_x, turn_y, turn_z = wall.pose.covariance[0:36:7]
+        for known in (shift_x, turn_y, turn_z):
+            # Below that of one point (m^2, rad^2); the wall is not exactly across, so that 1e6 leaks in.
+            self.assertLess(abs(known), 0.02 * UNOBSERVABLE)
+        for unknown in (shift_y, shift_z, turn_x):
+            self.assertGreater(unknown, 0.9 * UNOBSERVABLE)
 
 
 if __name__ == "__main__":
