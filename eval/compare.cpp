@@ -4,8 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -13,6 +11,7 @@
 
 #include "eval/data_sets.h"
 #include "eval/dump.h"
+#include "eval/line_writer.h"
 #include "eval/score_json.h"
 #include "eval/score_table.h"
 
@@ -53,30 +52,6 @@ SeedRange parseSeeds(const std::string& text) {
   return range;
 }
 
-/// Where the JSON lines go; a line is flushed as soon as it is there, so that nothing is lost when the run is ended.
-class LineWriter {
- public:
-  explicit LineWriter(const std::string& path) : wanted_(!path.empty()), path_(path) {
-    if (!wanted_ || path == "-") return;
-    file_.open(path, std::ios::app);
-    if (!file_) throw std::runtime_error("--json " + path + ": cannot be opened");
-  }
-
-  void write(const std::string& line) {
-    if (!wanted_) return;
-    std::ostream& out = file_.is_open() ? file_ : std::cout;
-    out << line << std::endl;
-    if (!out) throw std::runtime_error("--json " + path_ + ": cannot be written");
-  }
-
-  bool toStandardOutput() const { return wanted_ && !file_.is_open(); }
-
- private:
-  bool wanted_;
-  std::string path_;
-  std::ofstream file_;
-};
-
 /// One of ours runs once for each algorithm seed, under one name and with one sum.
 struct Contest {
   std::vector<std::string> names;
@@ -102,7 +77,7 @@ Contest contestOf(const Options& options) {
 }
 
 /// The methods take turns in who comes first, so that none always has the cache of another.
-void runCloud(const Options& options, const eval::LabelledCloud& input, Contest& contest, LineWriter& lines) {
+void runCloud(const Options& options, const eval::LabelledCloud& input, Contest& contest, eval::LineWriter& lines) {
   std::vector<eval::NamedResult> results;
   for (const eval::TrueShape& truth : input.truth) contest.true_shapes += truth.must ? 1 : 0;
   for (std::size_t k = 0; k < contest.methods.size(); ++k) {
@@ -134,7 +109,7 @@ void printTable(const std::string& set, const Options& options, Contest& contest
   std::fflush(stdout);
 }
 
-void compareOn(const std::string& set, const Options& options, LineWriter& lines) {
+void compareOn(const std::string& set, const Options& options, eval::LineWriter& lines) {
   Contest contest = contestOf(options);
   const SeedRange seeds = parseSeeds(options.seeds);
   for (std::uint64_t k = 0; k < seeds.count; ++k) {
@@ -195,7 +170,7 @@ int main(int argc, char** argv) {
     }
     // All of them before the first one is measured.
     for (const std::string& set : options.sets) checkRecipe(recipeOf(set, 0, options));
-    LineWriter lines(options.json);
+    eval::LineWriter lines(options.json);
     for (const std::string& set : options.sets) compareOn(set, options, lines);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compare: %s\n", error.what());

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "synthetic/solid_limits.h"
+
 namespace primitect::synthetic {
 namespace {
-
-constexpr double kHalfPi = 1.57079632679489661923;
 
 /// Surfaces and bounding box of a solid in its own frame.
 struct Parts {
@@ -125,36 +125,6 @@ Parts partsOf(const Limbs& limbs) {
     parts.corner_max = parts.corner_max.cwiseMax(limb.from.cwiseMax(limb.to) + widest);
   }
   return parts;
-}
-
-/// Written so that NaN and infinity fail.
-bool isLength(double value) { return value > 0.0 && std::isfinite(value); }
-
-bool isPossible(const Sheet& s) { return isLength(s.half_x) && isLength(s.half_y); }
-bool isPossible(const Box& b) { return isLength(b.half_x) && isLength(b.half_y) && isLength(b.half_z); }
-bool isPossible(const Ball& b) { return isLength(b.radius); }
-bool isPossible(const Rod& r) { return isLength(r.radius) && isLength(r.half_length); }
-bool isPossible(const Frustum& f) {
-  return f.half_angle > 0.0 && f.half_angle < kHalfPi && f.begin >= 0.0 && f.begin < f.end && isLength(f.end);
-}
-bool isPossible(const Cup& c) {
-  return isLength(c.inner_radius) && c.inner_radius < c.radius && isLength(c.radius) && isLength(c.half_length) &&
-         c.base > 0.0 && c.base < 2.0 * c.half_length;
-}
-bool isPossible(const Pot& p) {
-  return isPossible(Frustum{p.half_angle, p.begin, p.end}) && p.begin > 0.0 && p.wall > 0.0 && p.floor > p.begin &&
-         p.floor > p.innerApex() && p.floor < p.end;
-}
-bool isPossible(const Bowl& b) {
-  return isLength(b.inner_radius) && b.inner_radius < b.radius && isLength(b.radius) &&
-         std::abs(b.rim) < b.inner_radius && b.foot > -b.radius && b.foot < -b.inner_radius;
-}
-bool isPossible(const Ellipsoid& e) { return isLength(e.half_x) && isLength(e.half_y) && isLength(e.half_z); }
-bool isPossible(const Torus& t) {
-  return isLength(t.ring_radius) && t.tube_radius > 0.0 && t.tube_radius < t.ring_radius;
-}
-bool isPossible(const Lump& l) {
-  return isLength(l.radius) && l.bump > 0.0 && l.bump <= 0.3 && isLength(l.frequency) && std::isfinite(l.phase);
 }
 
 struct Transform {
