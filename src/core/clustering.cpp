@@ -7,6 +7,12 @@
 #include <cmath>
 
 namespace primitect {
+
+void sortByVotes(std::vector<Candidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
+}
+
 namespace {
 
 /// All four kinds are a point, a direction and a number, and are averaged in these.
@@ -74,11 +80,6 @@ struct Cluster {
     return result;
   }
 };
-
-void sortByVotes(std::vector<Candidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
-}
 
 void clusterOnce(std::vector<Candidate>& candidates, double distance, double angle, bool average) {
   sortByVotes(candidates);

@@ -14,6 +14,9 @@ namespace primitect {
 /// angle (rad). Different kinds never agree, nor do shapes seen from different sides.
 bool agrees(const Candidate& candidate, const Candidate& other, double distance, double angle);
 
+/// Strongest first; equal ones keep their order.
+void sortByVotes(std::vector<Candidate>& candidates);
+
 /// Merges by weighted average (weights: votes), or keeps the strongest of those that agree (params.clustering = nms).
 /// The result is sorted by votes, strongest first; its votes are the sums. d_s in m.
 void clusterCandidates(std::vector<Candidate>& candidates, const Params& params, double scene_diameter);

@@ -14,17 +14,17 @@
 namespace primitect {
 namespace {
 
-float rmsDistance(const Shape& shape, const std::vector<Vec3>& points) {
-  double sum = 0.0;
-  for (const Vec3& point : points) sum += distance(shape, point) * distance(shape, point);
-  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
-}
-
 DepthRange rangeOf(const Params& params) {
   return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
 }
 
 }  // namespace
+
+float rmsDistance(const Shape& shape, const std::vector<Vec3>& points) {
+  double sum = 0.0;
+  for (const Vec3& point : points) sum += distance(shape, point) * distance(shape, point);
+  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
+}
 
 Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
     : cloud_(cloud),

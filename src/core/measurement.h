@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "core/competition.h"
 #include "core/dense_fit.h"
@@ -14,6 +15,9 @@
 #include "primitect/primitives.h"
 
 namespace primitect {
+
+/// Root mean square of the distances (m); of at least one point.
+float rmsDistance(const Shape& shape, const std::vector<Vec3>& points);
 
 /// Of one frame.
 class Measurement {

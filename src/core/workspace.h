@@ -32,12 +32,6 @@ inline Status statusOf(const Cloud& cloud) {
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
 }
 
-inline float rmsDistance(const Shape& shape, const std::vector<Vec3>& points) {
-  double sum = 0.0;
-  for (const Vec3& point : points) sum += distance(shape, point) * distance(shape, point);
-  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
-}
-
 inline Detection describe(const Segment& segment, const Samples& samples) {
   std::vector<Vec3> inliers;
   for (const std::uint32_t i : segment.inliers) inliers.push_back(samples.point(i));
@@ -52,11 +46,6 @@ inline Detection describe(const Segment& segment, const Samples& samples) {
   detection.evidence = segment.evidence;
   detection.rival = segment.rival;
   return detection;
-}
-
-inline void sortByVotes(std::vector<Candidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
 }
 
 inline bool isLargePlane(const Detection& item, std::size_t samples) {
