@@ -27,6 +27,11 @@ struct Scene {
     std::iota(all.begin(), all.end(), 0u);
   }
   SampleSet set() const { return {samples, all}; }
+  Moments moments() const {
+    FitPoints points;
+    points.gather(set());
+    return momentsOf(points);
+  }
 };
 
 /// One scene of each kind, about 1 m from the origin, with Gaussian noise along the normals (m).
@@ -72,7 +77,7 @@ double generous(const Vec3&) { return 0.05; }
 TEST(MomentFit, IsExactOnExactPoints) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     for (const Scene& scene : randomScenes(seed, 0.0)) {
-      const std::optional<Shape> found = fitFromMoments(kindOf(scene.truth), scene.set());
+      const std::optional<Shape> found = fitFromMoments(kindOf(scene.truth), scene.moments());
       ASSERT_TRUE(found) << kindName(kindOf(scene.truth)) << " " << seed;
       EXPECT_LT(worst(*found, scene), 1e-4) << kindName(kindOf(scene.truth)) << " " << seed;
     }
@@ -83,11 +88,11 @@ TEST(MomentFit, GivesNothingWhereTheKindIsNotDetermined) {
   Random random(61);
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   const Scene flat(plane, patchOf(plane, 100, 0.2, random));
-  EXPECT_FALSE(fitFromMoments(Kind::sphere, flat.set()));
-  EXPECT_FALSE(fitFromMoments(Kind::cylinder, flat.set()));
-  EXPECT_FALSE(fitFromMoments(Kind::cone, flat.set()));
+  EXPECT_FALSE(fitFromMoments(Kind::sphere, flat.moments()));
+  EXPECT_FALSE(fitFromMoments(Kind::cylinder, flat.moments()));
+  EXPECT_FALSE(fitFromMoments(Kind::cone, flat.moments()));
   const Scene two(plane, patchOf(plane, 2, 0.2, random));
-  EXPECT_FALSE(fitFromMoments(Kind::plane, two.set()));
+  EXPECT_FALSE(fitFromMoments(Kind::plane, two.moments()));
 }
 
 TEST(Refinement, KeepsWhatIsExact) {

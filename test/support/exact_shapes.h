@@ -65,7 +65,8 @@ inline void append(Samples& samples, const SurfacePoint& p) {
   samples.nx.push_back(o.normal.x);
   samples.ny.push_back(o.normal.y);
   samples.nz.push_back(o.normal.z);
-  for (std::vector<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.normal_limit})
+  for (std::vector<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.inverse_tolerance,
+                                    &samples.normal_loss, &samples.farthest_turn})
     noise->push_back(0.0f);
   samples.index.push_back(static_cast<std::uint32_t>(samples.index.size()));
 }
