@@ -6,6 +6,8 @@
 
 #include <cstddef>
 
+#include "kernels/window_loops.h"
+
 namespace primitect::kernels {
 
 /// Sums are taken in so many lanes, which are then added up.
@@ -68,6 +70,9 @@ struct MomentSums {
 struct Loops {
   const char* name;  ///< of the instruction set
 
+  /// Robust least squares over the pixels of a window that lie on one surface with its centre.
+  WindowPlane (*fitWindow)(const PointImage& image, const WindowTask& task);
+
   /// Signed distances (m) of points to a shape.
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                     float* distance);
@@ -88,5 +93,14 @@ struct Loops {
 
 /// For the machine that runs this.
 const Loops& loops();
+
+/// All that this machine can run, for tests.
+struct LoopsList {
+  const Loops* tables[3];
+  std::size_t count;
+  const Loops* const* begin() const { return tables; }
+  const Loops* const* end() const { return tables + count; }
+};
+LoopsList allLoops();
 
 }  // namespace primitect::kernels
