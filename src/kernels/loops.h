@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+#include "kernels/nearest_loops.h"
 #include "kernels/window_loops.h"
 
 namespace primitect::kernels {
@@ -72,6 +73,11 @@ struct Loops {
 
   /// Robust least squares over the pixels of a window that lie on one surface with its centre.
   WindowPlane (*fitWindow)(const PointImage& image, const WindowTask& task);
+
+  /// Neighbours of a leaf's `count` points among the leaves [begin, end), multiples of kLanes; `keys` holds those known
+  /// already, else kNoNeighbor.
+  void (*nearest)(const LeafTree& tree, std::size_t leaf, std::size_t count, std::size_t begin, std::size_t end,
+                  NearestKeys& keys);
 
   /// Signed distances (m) of points to a shape.
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,

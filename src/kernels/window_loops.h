@@ -32,5 +32,4 @@ struct WindowPlane {
   int used = 0;           ///< pixels; 0: there is no such plane
 };
 
-
 }  // namespace primitect::kernels
