@@ -6,6 +6,9 @@
 
 #include <cstddef>
 
+#include "kernels/nearest_loops.h"
+#include "kernels/window_loops.h"
+
 namespace primitect::kernels {
 
 /// Sums are taken in so many lanes, which are then added up.
@@ -68,6 +71,14 @@ struct MomentSums {
 struct Loops {
   const char* name;  ///< of the instruction set
 
+  /// Robust least squares over the pixels of a window that lie on one surface with its centre.
+  WindowPlane (*fitWindow)(const PointImage& image, const WindowTask& task);
+
+  /// Neighbours of a leaf's `count` points among the leaves [begin, end), multiples of kLanes; `keys` holds those known
+  /// already, else kNoNeighbor.
+  void (*nearest)(const LeafTree& tree, std::size_t leaf, std::size_t count, std::size_t begin, std::size_t end,
+                  NearestKeys& keys);
+
   /// Signed distances (m) of points to a shape.
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                     float* distance);
@@ -88,5 +99,14 @@ struct Loops {
 
 /// For the machine that runs this.
 const Loops& loops();
+
+/// All that this machine can run, for tests.
+struct LoopsList {
+  const Loops* tables[3];
+  std::size_t count;
+  const Loops* const* begin() const { return tables; }
+  const Loops* const* end() const { return tables + count; }
+};
+LoopsList allLoops();
 
 }  // namespace primitect::kernels
