@@ -178,18 +178,6 @@ bool pointsUp(const Vec3& axis) {
   return axis.z() > 0.0;
 }
 
-/// The point's place within the hull's plane lies left of every edge, or at most margin to the right.
-bool insideHull(const Extent& extent, const Vec3& point, double margin) {
-  const Vec3 normal = extent.rotation.col(2);
-  for (std::size_t k = 0; k < extent.hull.size(); ++k) {
-    const Vec3& corner = extent.hull[k];
-    const Vec3 edge = extent.hull[(k + 1) % extent.hull.size()] - corner;
-    const Vec3 inward = normal.cross(edge);
-    if (inward.dot(point - corner) < -margin * inward.norm()) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Extent measureExtent(const Shape& shape, const std::vector<Vec3>& inliers) {
@@ -201,20 +189,6 @@ Shape canonical(const Shape& shape) {
   const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
   if (!cylinder || pointsUp(cylinder->axis)) return shape;
   return Cylinder{cylinder->point, -cylinder->axis, cylinder->radius};
-}
-
-bool contains(const Shape& shape, const Extent& extent, const Vec3& point, double margin) {
-  switch (kindOf(shape)) {
-    case Kind::plane:
-      return insideHull(extent, point, margin);
-    case Kind::sphere:
-      return true;
-    case Kind::cylinder:
-    case Kind::cone:
-      break;
-  }
-  const double height = (point - extent.origin).dot(extent.rotation.col(2));
-  return std::abs(height) <= 0.5 * extent.size.z() + margin;
 }
 
 }  // namespace primitect

@@ -17,7 +17,4 @@ Extent measureExtent(const Shape& shape, const std::vector<Vec3>& inliers);
 /// (y < 0, else x > 0, else z > 0).
 Shape canonical(const Shape& shape);
 
-/// The point, already near the surface, lies within the extent enlarged by margin (m).
-bool contains(const Shape& shape, const Extent& extent, const Vec3& point, double margin);
-
 }  // namespace primitect

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/extent.h"
+#include "core/observed_part.h"
 
 namespace primitect {
 namespace {
@@ -189,12 +189,13 @@ std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
   if (!rays_.known) return kTruncationUnknown | depthBit(cloud_, range_, inlier_points);
   // More would only find borders that are a pixel farther out.
   constexpr std::size_t kMostStarts = 600;
+  const ObservedPart part(shape, extent);
   std::vector<Pixel> pixels;
   for (std::size_t k = 0; k < inlier_points.size(); k += inlier_points.size() / kMostStarts + 1) {
     const std::uint32_t i = inlier_points[k];
     const Vec3 p(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
     // Points elsewhere on the surface are no part of the extent.
-    if (!contains(shape, extent, p, kOnSurface * sigma_(p))) continue;
+    if (!part.holds(cloud_.x[i], cloud_.y[i], cloud_.z[i], static_cast<float>(kOnSurface * sigma_(p)))) continue;
     pixels.push_back({static_cast<int>(i % cloud_.width), static_cast<int>(i / cloud_.width)});
   }
   if (pixels.empty()) return kTruncationUnknown;

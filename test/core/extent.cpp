@@ -87,18 +87,6 @@ TEST(Extent, OfAThinStripIsTheWholeStrip) {
   EXPECT_NEAR(measureExtent(plane, points).size.x(), 1.0, 1e-9);
 }
 
-TEST(Extent, ContainsWhatWasSeenAndNotTheRestOfTheSurface) {
-  Random random(38);
-  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
-  const Extent extent = measureExtent(cylinder, pointsOf(patchOf(cylinder, 300, -0.05, 0.05, random)));
-  EXPECT_TRUE(contains(cylinder, extent, pointOn(cylinder, 0.04, 0.0).point, 0.005));
-  EXPECT_FALSE(contains(cylinder, extent, pointOn(cylinder, 0.07, 0.0).point, 0.005));
-  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
-  const Extent patch = measureExtent(plane, pointsOf(patchOf(plane, 300, 0.1, random)));
-  EXPECT_TRUE(contains(plane, patch, Vec3(0, 0, 1), 0.005));
-  EXPECT_FALSE(contains(plane, patch, Vec3(0.2, 0, 1), 0.005));
-}
-
 TEST(Canonical, CylinderAxesPointUpInTheImage) {
   for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.9, 0.1, 0.3)}) {
     EXPECT_LT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), axis.normalized(), 1.0})).axis.y(), 0.0);

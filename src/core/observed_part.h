@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a point lies on the part of a shape that was seen.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// What lies on the inner side of some planes: those across a plane's outline, or across the two ends of an axis; all
+/// of a sphere. In float: for points within a few hundred metres of the origin.
+class ObservedPart {
+ public:
+  ObservedPart(const Shape& shape, const Extent& extent);
+
+  /// How far (m) a point near the surface lies within the part, negative: outside of it by at least so much. It changes
+  /// by no more than the point moves.
+  float depth(float x, float y, float z) const {
+    float least = std::numeric_limits<float>::infinity();
+    for (const Side& side : sides_) least = std::min(least, side.x * x + side.y * y + side.z * z - side.offset);
+    return least;
+  }
+
+  /// A point near the surface lies within the part enlarged by margin (m, not negative).
+  bool holds(float x, float y, float z, float margin) const {
+    // Most points of a large plane lie within the ball that touches the nearest side.
+    const float dx = x - center_[0], dy = y - center_[1], dz = z - center_[2];
+    if (dx * dx + dy * dy + dz * dz < ball_sq_) return true;
+    for (const Side& side : sides_) {
+      if (side.x * x + side.y * y + side.z * z - side.offset < -margin) return false;
+    }
+    return true;
+  }
+
+  /// Unit vector inwards, and its product with the points of the plane (m).
+  struct Side {
+    float x, y, z, offset;
+  };
+  const std::vector<Side>& sides() const { return sides_; }
+
+ private:
+  void addSide(const Vec3& inward, const Vec3& point);
+
+  std::vector<Side> sides_;
+  float center_[3];
+  float ball_sq_;  ///< m^2, squared radius around the centre; negative: there is no such ball
+};
+
+}  // namespace primitect
