@@ -12,10 +12,9 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::pointOn;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// Votes for one kind of curved shape: rows of 40 bins of R or s_r, and one that stays empty.
 struct KindVotes {
