@@ -92,8 +92,9 @@ Work processing(const std::shared_ptr<LazyMessages>& messages, const Params& par
   const auto facts = [=] {
     Facts facts = {{"points", static_cast<double>(messages->get().front().width * messages->get().front().height)},
                    {"detections", *found}};
-    for (const ros_layer::StageSummary& stage : pipeline->times().summaries())
-      facts["stage " + stage.stage] = stage.median;
+    for (const ros_layer::StageSummary& stage : pipeline->times().summaries()) {
+      facts.emplace_back("stage " + stage.stage, stage.median);
+    }
     return facts;
   };
   return {messages->get().size(), run, facts};

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -72,11 +73,10 @@ struct Bench {
   Json json() const {
     Json stages = Json::object();
     for (const std::string& stage : stage_order) stages[stage] = stages_ms.at(stage);
-    Json result = {{"cpu_ms", cpu_ms},
-                   {"wall_ms", wall_ms},
-                   {"stages_ms", stages},
-                   {"frames", work->frames},
-                   {"facts", work->facts()}};
+    Json facts = Json::object();
+    for (const auto& [name, value] : work->facts()) facts[name] = value;
+    Json result = {
+        {"cpu_ms", cpu_ms}, {"wall_ms", wall_ms}, {"stages_ms", stages}, {"frames", work->frames}, {"facts", facts}};
     if (canCountAllocations()) {
       result["allocations"] = allocations;
       result["allocated_bytes"] = allocated_bytes;

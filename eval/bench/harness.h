@@ -7,7 +7,6 @@
 #include <cstring>
 #include <ctime>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,7 +79,7 @@ class FrameClock {
   double cpu_ms_ = 0.0, wall_ms_ = 0.0;
 };
 
-using Facts = std::map<std::string, double>;
+using Facts = std::vector<std::pair<std::string, double>>;
 
 /// What is done over and over.
 struct Work {

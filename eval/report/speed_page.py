@@ -16,10 +16,17 @@ CURVES = (("points", "Points with normals (one scene of the paper's set, resampl
 
 
 def target_table(targets):
-    rows = [(t.text, [cell(speed.bound_text(t)), cell("–" if t.value is None else "%.3g %s" % (t.value, t.unit)),
+    rows = [(t.text, [cell(speed.bound_text(t)), cell(value_text(t)),
                       cell(speed.verdict(t)), cell(speed.stretch_verdict(t))]) for t in targets]
     return Table("targets", "Targets", "Ratios are of one run; absolute times are those of this machine.",
                  [("", 4)], ["target", "measured", "reached", "stretch reached"], rows)
+
+
+def value_text(target):
+    """"3.87 ms", "1,240", "–"."""
+    if target.value is None:
+        return "–"
+    return ("{:,.0f} {}" if target.value >= 1000 else "{:.3g} {}").format(target.value, target.unit).strip()
 
 
 def stage_names(figures, cases):
@@ -65,9 +72,13 @@ def kernel_table(kernels):
 
 
 def curve_table(figures, name, title):
-    rows = [("{:,}".format(place), [cell(time, 2), cell(speed.besides_reading(figures, "%s/%d" % (name, place)), 2)])
-            for place, time in speed.curve(figures, name)]
-    return Table(name, title, "Medians, ms.", [("", 2)], ["total", "without reading"], rows)
+    columns, rows = ["total"], [(place, [cell(time, 2)]) for place, time in speed.curve(figures, name)]
+    if name == "pixels":
+        columns += ["without reading"]
+        for place, cells in rows:
+            cells.append(cell(speed.besides_reading(figures, "%s/%d" % (name, place)), 2))
+    rows = [("{:,}".format(place), cells) for place, cells in rows]
+    return Table(name, title, "Medians, ms.", [("", len(columns))], columns, rows)
 
 
 def memory_table(memory):
