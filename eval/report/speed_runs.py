@@ -71,14 +71,14 @@ def times_of(program, cases, effort, seconds, environment=None):
 
 
 def parse_kernels(text):
-    """Names of the kernels that can run here, of what `detect --kernels` prints: a line each, its name first; lines
-    that say "not" are of kernels that this machine or build does not have."""
+    """Names of the kernels that can run here, of what `detect --kernels` prints; what stands in lines that deny it, as
+    "avx512: not on this processor", cannot. Scalar, which all are compared with, is always among them."""
     found = []
-    for line in text.splitlines():
-        words = re.findall(r"[\w-]+", line.lower())
-        if "not" not in words and "unavailable" not in words:
-            found += [word for word in words[:1] + words[1:] if word in KERNELS and word not in found]
-    return found
+    for line in text.lower().splitlines():
+        words = re.findall(r"[\w-]+", line)
+        if not set(words) & {"not", "no", "unavailable", "unsupported", "missing"}:
+            found += [name for name in KERNELS if name in words and name not in found]
+    return found if not found or "scalar" in found else ["scalar"] + found
 
 
 def kernels_here(detect):

@@ -88,6 +88,8 @@ def test_a_ratio_needs_both_sides():
 def test_kernels_that_are_not_there_are_not_run():
     text = "scalar\nportable\navx2      in use\navx512    not supported by this processor\nneon: not built\n"
     assert speed_runs.parse_kernels(text) == ["scalar", "portable", "avx2"]
+    assert speed_runs.parse_kernels("avx2 (of: scalar, portable, avx2)") == ["scalar", "portable", "avx2"]
+    assert speed_runs.parse_kernels("avx2") == ["scalar", "avx2"]
     assert speed_runs.parse_kernels("detect: unknown option") == []
     assert speed_runs.kernels_here("/nonexistent/detect") == ["scalar"]
 
