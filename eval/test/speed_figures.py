@@ -38,11 +38,9 @@ def test_percentiles_lie_between_the_nearest_ranks():
     assert speed.percentile([], 99) is None and speed.median([]) is None
 
 
-def test_stages_come_from_frames_or_from_what_the_pipeline_told():
-    facts = {"stage read": 0.5, "stage total": 6.0, "points": 9}
-    told = speed.figures_of(case([5.0, 7.0], {"vote": [1.0, 3.0]}, **facts))
-    assert told["stages_ms"] == {"vote": 2.0, "read": 0.5}
-    assert told["facts"] == {"points": 9}
+def test_each_stage_has_the_median_of_its_own():
+    told = speed.figures_of(case([5.0, 7.0, 9.0], {"vote": [1.0, 3.0, 2.0], "measure": [4.0, 1.0, 7.0]}, points=9))
+    assert told["stages_ms"] == {"vote": 2.0, "measure": 4.0} and told["facts"] == {"points": 9}
 
 
 def test_growth_is_judged_by_its_worst_decade():
