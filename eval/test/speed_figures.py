@@ -102,11 +102,16 @@ def made_up(folder, name, text):
 
 
 def test_kernels_are_asked_for_or_tried():
-    measures = """while [ $# -gt 1 ]; do [ "$1" = --times ] && echo '{"objects/1":{"cpu_ms":[1]}}' >"$2"; shift; done\n"""
+    measures = """while [ $# -gt 1 ]; do
+      [ "$1" = --times ] && echo '{"objects/1": {"cpu_ms": [1]}}' >"$2"
+      shift
+    done
+    """
     with tempfile.TemporaryDirectory() as folder:
         tells = made_up(folder, "tells", "echo 'scalar, portable'")
         knows_no_option = made_up(folder, "old", "exit 2")
-        chooses = made_up(folder, "chooses", 'case $PRIMITECT_KERNELS in scalar|avx2) ;; *) exit 1 ;; esac\n' + measures)
+        refuses = "case $PRIMITECT_KERNELS in scalar|avx2) ;; *) exit 1 ;; esac\n"
+        chooses = made_up(folder, "chooses", refuses + measures)
         ignores = made_up(folder, "ignores", measures)
         assert speed_runs.kernels_here(tells, ignores) == ["scalar", "portable"]
         assert speed_runs.kernels_here(knows_no_option, chooses) == ["scalar", "avx2"]
