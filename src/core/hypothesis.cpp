@@ -24,6 +24,7 @@ double take(const float* gains, const SampleBlock& block, const HeldGains& held,
     *next = {static_cast<std::uint32_t>(i), gain};
     next += gain > kernels::kNoGain ? 1 : 0;
     hypothesis.inliers += gain > 0.0f ? 1 : 0;
+    hypothesis.gain_sum += gain > 0.0f ? gain : 0.0f;
     sum += gain > 0.0f || (gain > kernels::kNoGain && held[i] < kWellExplained) ? gain : 0.0f;
   }
   support.resize(static_cast<std::size_t>(next - support.data()));
@@ -39,9 +40,14 @@ double priceOf(Kind kind, double inliers) {
   return parameters * (std::log(std::max(inliers, 1.0)) / 9.0 + kPerInlier * inliers);
 }
 
-void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
+namespace {
+
+template <class Wanted>
+void evaluateBlocks(const Samples& samples, const HeldGains& held, double widen, const Wanted& wanted,
+                    Hypothesis& hypothesis) {
   hypothesis.support.clear();
   hypothesis.inliers = 0;
+  hypothesis.gain_sum = 0.0;
   hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
   const kernels::FlatShape shape = flattened(hypothesis.shape, Vec3::Zero());
   const float side = hypothesis.concave ? -1.0f : 1.0f;
@@ -49,12 +55,28 @@ void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypot
   std::array<float, SampleBlocks::kSize> gains;
   double sum = 0.0;
   samples.blocks.forNear(shape, static_cast<float>(widen), [&](const SampleBlock& block) {
-    kernels::loops().gains(shape, side, scale, samples.judged(), block.begin, block.end, gains.data());
-    const std::size_t before = hypothesis.support.size();
+    if (!wanted(block)) return;
+    if (kernels::loops().gains(shape, side, scale, samples.judged(), block.begin, block.end, gains.data()) == 0) return;
     sum += take(gains.data(), block, held, hypothesis);
-    if (hypothesis.support.size() > before) hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
+    hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
   });
   hypothesis.score = sum - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
+}
+
+}  // namespace
+
+void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
+  evaluateBlocks(
+      samples, held, widen, [](const SampleBlock&) { return true; }, hypothesis);
+}
+
+void evaluateAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
+                    Hypothesis& hypothesis) {
+  const Eigen::Vector3f center = point.cast<float>();
+  const auto near = [&](const SampleBlock& block) {
+    return samples.blocks.reaches(block, center, static_cast<float>(reach));
+  };
+  evaluateBlocks(samples, held, widen, near, hypothesis);
 }
 
 bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {

@@ -25,6 +25,7 @@ struct Hypothesis {
   double votes = 0.0;                 ///< of the candidate that proposed it
   std::vector<Support> support;       ///< in the order of the samples
   double score = 0.0;                 ///< sum of the gains less the price of the shape's parameters
+  double gain_sum = 0.0;              ///< of the gains above 0
   std::size_t inliers = 0;            ///< samples with a gain above 0
   std::vector<std::uint64_t> blocks;  ///< bits: in which blocks of samples there is support
 };
@@ -41,6 +42,10 @@ constexpr float kWellExplained = 0.1f;
 /// Fills support and score from the shape. Samples that others explain well do not speak against it. widen: times the
 /// noise, for a shape that is not fitted yet.
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
+
+/// The same on no more than all samples within reach (m) of a point.
+void evaluateAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
+                    Hypothesis& hypothesis);
 
 /// Takes the gains of the hypothesis into those held.
 void hold(const Hypothesis& hypothesis, HeldGains& held);

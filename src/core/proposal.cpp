@@ -14,7 +14,8 @@ void gather(const Samples& samples, const HeldGains& held, const Candidate& cand
   hypothesis.concave = candidate.concave;
   hypothesis.votes = candidate.votes;
   // A plane goes through its reference: only its direction is rough.
-  evaluate(samples, held, kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen, hypothesis);
+  const double widen = kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen;
+  evaluateAround(candidate.point, rules.reach, samples, held, widen, hypothesis);
   inliersOf(hypothesis, set);
   const auto far = [&](std::uint32_t i) { return (samples.point(i) - candidate.point).norm() > rules.reach; };
   set.erase(std::remove_if(set.begin(), set.end(), far), set.end());
@@ -34,7 +35,8 @@ void proposeHypotheses(const Samples& samples, SampleGraph& graph, const std::ve
     gather(samples, held, candidate, rules, hypothesis, set);
     graph.connected(set, candidate.sample, part);
     set.swap(part);
-    bool good = set.size() >= needed / 2;
+    const auto unexplained = [&held](std::uint32_t i) { return held[i] < kWellExplained; };
+    bool good = static_cast<std::size_t>(std::count_if(set.begin(), set.end(), unexplained)) >= needed / 2;
     if (!good) ++refusals[Refusal::few_inliers];
     std::size_t before = 0;
     for (int growth = 0; good && growth < kGrowths && set.size() > before + before / 20; ++growth) {

@@ -3,6 +3,7 @@
 // Runs of samples that are close together, so that a shape need only be compared with the runs that it comes near.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -26,6 +27,12 @@ class SampleBlocks {
 
   /// Adds the samples from `begin` on; their tolerances are known.
   void append(const Samples& samples, std::size_t begin);
+
+  /// Whether samples of the block may be within the radius (m) of this point.
+  bool reaches(const SampleBlock& block, const Eigen::Vector3f& point, float radius) const {
+    const Eigen::Vector3f center(x_[block.index], y_[block.index], z_[block.index]);
+    return (point - center).norm() <= radius_[block.index] + radius;
+  }
 
   /// Calls use(block) for the runs with samples that may be within `widen` times twice their tolerance of the shape.
   template <class Use>

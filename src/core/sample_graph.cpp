@@ -11,6 +11,10 @@ namespace primitect {
 namespace {
 
 constexpr std::size_t kLeafSize = kernels::kLeafSize;
+
+/// A sample while parts of a set are looked for.
+constexpr std::uint8_t kOutside = 0, kWaiting = 1, kReached = 2;
+
 static_assert(SampleGraph::kNeighbors == kLeafSize);
 
 std::size_t placeIn(double key) {
@@ -55,14 +59,12 @@ void SampleGraph::store(std::size_t first, std::size_t count, const kernels::Nea
   }
 }
 
-void SampleGraph::connected(const std::vector<std::uint32_t>& set, std::uint32_t start,
-                            std::vector<std::uint32_t>& part) {
-  constexpr std::uint8_t kOutside = 0, kWaiting = 1, kReached = 2;
+void SampleGraph::mark(const std::vector<std::uint32_t>& set) {
   state_.assign(neighbors_.size(), kOutside);
   for (const std::uint32_t i : set) state_[i] = kWaiting;
-  part.assign(1, start);
-  const bool start_in_set = state_[start] == kWaiting;
-  state_[start] = kReached;
+}
+
+void SampleGraph::grow(std::vector<std::uint32_t>& part) {
   for (std::size_t k = 0; k < part.size(); ++k) {
     for (const std::uint32_t j : neighbors_[part[k]]) {
       if (state_[j] != kWaiting) continue;
@@ -70,8 +72,31 @@ void SampleGraph::connected(const std::vector<std::uint32_t>& set, std::uint32_t
       part.push_back(j);
     }
   }
+}
+
+void SampleGraph::connected(const std::vector<std::uint32_t>& set, std::uint32_t start,
+                            std::vector<std::uint32_t>& part) {
+  mark(set);
+  part.assign(1, start);
+  const bool start_in_set = state_[start] == kWaiting;
+  state_[start] = kReached;
+  grow(part);
   if (!start_in_set) part.erase(part.begin());
   std::sort(part.begin(), part.end());
+}
+
+std::vector<std::uint32_t> SampleGraph::largeParts(const std::vector<std::uint32_t>& set, std::size_t least) {
+  std::vector<std::uint32_t> large, part;
+  mark(set);
+  for (const std::uint32_t i : set) {
+    if (state_[i] != kWaiting) continue;
+    state_[i] = kReached;
+    part.assign(1, i);
+    grow(part);
+    if (part.size() >= least) large.insert(large.end(), part.begin(), part.end());
+  }
+  std::sort(large.begin(), large.end());
+  return large;
 }
 
 }  // namespace primitect

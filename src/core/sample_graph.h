@@ -31,13 +31,20 @@ class SampleGraph {
   /// order. The start need not be in the set; nothing when none of its neighbours is.
   void connected(const std::vector<std::uint32_t>& set, std::uint32_t start, std::vector<std::uint32_t>& part);
 
+  /// Of the set (rising indices), those in connected parts of at least `least`, in rising order.
+  std::vector<std::uint32_t> largeParts(const std::vector<std::uint32_t>& set, std::size_t least);
+
  private:
+  /// Marks the set in state_, all else as outside.
+  void mark(const std::vector<std::uint32_t>& set);
+  /// Adds to the part what can be reached from what is in it, and marks it.
+  void grow(std::vector<std::uint32_t>& part);
   void store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys);
 
   LeafTree tree_;
   std::vector<kernels::NearestKeys> keys_;  ///< of each leaf
   std::vector<Neighbors> neighbors_;
-  std::vector<std::uint8_t> state_;  ///< of each sample while connected() runs
+  std::vector<std::uint8_t> state_;  ///< of each sample while parts are looked for
 };
 
 }  // namespace primitect

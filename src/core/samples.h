@@ -38,6 +38,19 @@ struct Samples {
     add(farthest_turn, more.farthest_turn);
     add(index, more.index);
   }
+  /// Those of these indices, without what applyNoise() makes of them.
+  Samples part(const std::vector<std::uint32_t>& indices) const {
+    Samples result;
+    result.resize(indices.size());
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      const std::uint32_t i = indices[k];
+      result.x[k] = x[i], result.y[k] = y[i], result.z[k] = z[i];
+      result.nx[k] = nx[i], result.ny[k] = ny[i], result.nz[k] = nz[i];
+      result.normal_sigma[k] = normal_sigma[i];
+      result.index[k] = index[i];
+    }
+    return result;
+  }
   void resize(std::size_t count) {
     for (std::vector<float>* values : fields()) values->resize(count);
     index.resize(count);

@@ -9,6 +9,11 @@
 namespace primitect {
 namespace {
 
+/// What a hypothesis would bring: at the samples that it explains, and after all that speaks against it.
+struct Worth {
+  double gain, total;
+};
+
 /// A choice and what it is worth. What is asked about one hypothesis takes the time of its own support.
 class Choice {
  public:
@@ -24,15 +29,17 @@ class Choice {
   bool holds(std::uint32_t h) const { return chosen_[h]; }
 
   /// What the total gains when h joins.
-  double worthOfAdding(std::uint32_t h) const {
-    double sum = 0.0, own = 0.0;
+  Worth worthOfAdding(std::uint32_t h) const {
+    double gain = 0.0, against = 0.0, own = 0.0;
     for (const Support& support : pool_[h].support) {
       const float held = best_[support.sample].gain;
-      if (support.gain > held && held < kWellExplained) sum += support.gain - held, own += 1.0;
+      const bool better = support.gain > held && held < kWellExplained;
+      gain += better ? support.gain - held : 0.0f;
+      own += better ? 1.0 : 0.0;
       // Near it, but not on it: against it, unless somebody else explains that sample.
-      if (support.gain < 0.0f && held <= 0.0f) sum += support.gain;
+      against += support.gain < 0.0f && held <= 0.0f ? support.gain : 0.0f;
     }
-    return own < least(h) ? -1.0 : sum - price(h, own);
+    return {gain, own < least(h) ? -1.0 : gain + against - price(h, own)};
   }
 
   /// What the total loses when h, which is chosen, leaves.
@@ -142,20 +149,23 @@ class Choice {
 
 /// Adds the most valuable of these until none is worth anything.
 void addGreedily(Choice& choice, const std::vector<Hypothesis>& pool, const std::vector<std::uint32_t>& candidates) {
-  std::vector<double> worth;
-  for (const std::uint32_t h : candidates) worth.push_back(choice.worthOfAdding(h));
-  while (!candidates.empty()) {
-    const auto best = std::max_element(worth.begin(), worth.end());
-    if (!(*best > 0.0)) return;
-    const std::uint32_t added = candidates[static_cast<std::size_t>(best - worth.begin())];
-    choice.add(added);
+  // No more than this can be gained: with every one that joins it gets less.
+  std::vector<double> bound;
+  for (const std::uint32_t h : candidates) bound.push_back(pool[h].gain_sum);
+  while (true) {
+    std::size_t best = candidates.size();
+    double most = 0.0;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (choice.holds(candidates[k])) {
-        worth[k] = 0.0;
-      } else if (mayOverlap(pool[candidates[k]], pool[added])) {
-        worth[k] = choice.worthOfAdding(candidates[k]);
-      }
+      if (!(bound[k] > most)) continue;
+      const Worth worth = choice.worthOfAdding(candidates[k]);
+      bound[k] = worth.gain;
+      if (!(worth.total > most)) continue;
+      most = worth.total;
+      best = k;
     }
+    if (best == candidates.size()) return;
+    choice.add(candidates[best]);
+    bound[best] = 0.0;
   }
 }
 

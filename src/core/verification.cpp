@@ -11,6 +11,7 @@
 
 #include "core/evidence.h"
 #include "core/noise_measurement.h"
+#include "core/plane_parts.h"
 
 namespace primitect {
 namespace {
@@ -70,14 +71,30 @@ void Verification::measureNoise(Samples samples, const std::vector<Candidate>& c
 void Verification::addRound(Samples samples, std::vector<Candidate> candidates) {
   for (Candidate& candidate : candidates) candidate.sample += static_cast<std::uint32_t>(samples_.size());
   append(std::move(samples));
-  proposeHypotheses(samples_, graph_, candidates, rules(), pool_, refusals_);
+  propose(candidates);
   select();
   refit(1);
 }
 
-void Verification::conclude(Samples samples) {
-  constexpr int kRefusals = 4;
+void Verification::addSamples(Samples samples) {
   append(std::move(samples));
+  select();
+}
+
+std::vector<std::uint32_t> Verification::unexplained() {
+  std::vector<std::uint32_t> rest;
+  for (std::uint32_t i = 0; i < selection_.owner.size(); ++i) {
+    if (selection_.owner[i] == kNobody) rest.push_back(i);
+  }
+  return graph_.largeParts(rest, needed(params_) / 2);
+}
+
+void Verification::propose(const std::vector<Candidate>& candidates) {
+  proposeHypotheses(samples_, graph_, candidates, rules(), pool_, refusals_);
+}
+
+void Verification::conclude() {
+  constexpr int kRefusals = 4;
   select();
   refit(2);
   assess();
@@ -136,18 +153,22 @@ HeldGains Verification::heldByChosen() const {
   return held;
 }
 
-/// Parts of a plane that do not touch may lie in different ones.
-void Verification::splitParts(const Segment& segment, const HeldGains& held) {
-  std::vector<std::uint32_t> rest = segment.inliers, part, left;
-  while (rest.size() >= needed(params_)) {
-    graph_.connected(rest, rest.front(), part);
-    if (part.size() == segment.inliers.size()) return;
-    left.clear();
-    std::set_difference(rest.begin(), rest.end(), part.begin(), part.end(), std::back_inserter(left));
-    rest.swap(left);
-    if (part.size() < needed(params_)) continue;
+/// A new version joins the others, unless it is like the one that it came from and explains no more.
+void Verification::join(const Hypothesis& version, std::uint32_t origin) {
+  constexpr double kBetter = 1.003;
+  const Hypothesis& old = pool_[origin];
+  if (version.gain_sum < kBetter * old.gain_sum && alike(version, old)) return;
+  pool_.push_back(version);
+}
+
+/// Parts of a plane may lie in different ones.
+void Verification::split(const Segment& segment, const HeldGains& held) {
+  const Plane plane = std::get<Plane>(pool_[segment.hypothesis].shape);
+  SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
+  for (auto& part : stepParts(samples_, plane, segment.inliers, needed(params_))) parts.push_back(std::move(part));
+  for (const std::vector<std::uint32_t>& part : parts) {
     Hypothesis trial = pool_[segment.hypothesis];
-    if (bestOfKinds(samples_, held, part, rules(), trial)) pool_.push_back(std::move(trial));
+    if (bestOfKinds(samples_, held, part, rules(), trial)) join(trial, segment.hypothesis);
   }
 }
 
@@ -160,12 +181,12 @@ void Verification::refit(int times) {
     const HeldGains held = heldByChosen();
     for (const Segment& segment : segments_) {
       Hypothesis trial = pool_[segment.hypothesis];
-      if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) pool_.push_back(trial);
-      if (kindOf(segment.candidate.shape) == Kind::plane) splitParts(segment, held);
+      if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) join(trial, segment.hypothesis);
+      if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
       evaluate(samples_, held, kNear, trial);
       inliersOf(trial, near);
       if (near.size() <= segment.inliers.size() * 21 / 20) continue;
-      if (bestOfKinds(samples_, held, near, rules(), trial)) pool_.push_back(std::move(trial));
+      if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
     }
     select();
   }

@@ -37,9 +37,17 @@ class Verification {
   /// A round's samples, with normals, and what they voted for, strongest first. Selects anew.
   void addRound(Samples samples, std::vector<Candidate> candidates);
 
-  /// More samples, for a closer look: selects anew, and then refuses what is not likely enough; its samples may serve
-  /// others.
-  void conclude(Samples samples);
+  /// More samples, for a closer look. Selects anew.
+  void addSamples(Samples samples);
+
+  /// Indices of the samples that nothing explains, where there are enough of them together for a shape.
+  std::vector<std::uint32_t> unexplained();
+
+  /// Candidates whose references are any samples added so far, strongest first.
+  void propose(const std::vector<Candidate>& candidates);
+
+  /// Selects anew, and then refuses what is not likely enough; its samples may serve others.
+  void conclude();
 
   const NoiseModel& noise() const { return noise_; }
   const Samples& samples() const { return samples_; }
@@ -54,7 +62,8 @@ class Verification {
   void select();
   void dropLikenesses();
   void refit(int times);
-  void splitParts(const Segment& segment, const HeldGains& held);
+  void join(const Hypothesis& version, std::uint32_t origin);
+  void split(const Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();
   HeldGains heldByChosen() const;

@@ -155,9 +155,20 @@ struct Detector::Workspace {
     draw(cloud, large, params.closer_samples, params.rounds);
     estimateNormals(cloud, params, normal_source, samples);
     all_samples.append(samples);
-    verification.conclude(samples);
+    verification.addSamples(samples);
+    voteAgain();
+    verification.conclude();
     useVerified();
     result.refusals = verification.refusals();
+  }
+
+  /// What is left of all rounds votes once more: together, samples of a small surface are enough.
+  void voteAgain() {
+    const std::vector<std::uint32_t> rest = verification.unexplained();
+    voting.vote(verification.samples().part(rest), result.scene_diameter, candidates);
+    for (Candidate& candidate : candidates) candidate.sample = rest[candidate.sample];
+    sortByVotes(candidates);
+    verification.propose(candidates);
   }
 
   /// The final numbers come from the points of the cloud.

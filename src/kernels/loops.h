@@ -84,9 +84,9 @@ struct Loops {
                     float* distance);
 
   /// Gains of the samples [begin, end) into gain[0 ..]; kNoGain where there is none. side: -1 where the surface is seen
-  /// from inside; scale: of the tolerances, inverse.
-  void (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
-                std::size_t end, float* gain);
+  /// from inside; scale: of the tolerances, inverse. Returns how many there are.
+  std::size_t (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
+                       std::size_t end, float* gain);
 
   /// scale: of the tolerances, inverse.
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,

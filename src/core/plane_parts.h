@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of a plane's samples that may lie in different planes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/sample_graph.h"
+#include "core/samples.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+using SampleParts = std::vector<std::vector<std::uint32_t>>;
+
+/// Parts of at least `least` samples (rising indices) that do not touch; nothing when all touch.
+SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph);
+
+/// Two parts of at least `least` samples at different heights, where the plane is tilted against its samples' normals:
+/// it leads over a step from one surface to a parallel one. Nothing where it is not tilted.
+SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vector<std::uint32_t>& inliers,
+                      std::size_t least);
+
+}  // namespace primitect
