@@ -72,17 +72,16 @@ struct Detector::Workspace {
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
+    sampler.begin(cloud);
   }
 
-  /// Draws samples with normals from the points that none of these explains.
+  /// Draws samples from the points that none of these explains.
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
-    labels.clear();
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
-    if (round > 0) labelPoints(cloud, explaining, tolerance.scaled(kOutskirts), labels);
-    // No point votes twice: what was drawn counts as taken.
-    for (const std::uint32_t i : all_samples.index) labels[i] = 1;
-    drawSamples(cloud, labels, count, static_cast<std::uint64_t>(params.seed) + round, samples);
+    const ExplainedPoints explained(explaining, tolerance.scaled(kOutskirts));
+    sampler.draw(cloud, explained, static_cast<std::size_t>(count), static_cast<std::uint64_t>(params.seed) + round,
+                 samples);
   }
 
   /// d_s, and what noise to expect, from the first samples.
@@ -189,6 +188,7 @@ struct Detector::Workspace {
   std::function<void(const char*)> stage_done;
   PairVoting voting;
   Verification verification;
+  Sampler sampler;
   Samples samples;      ///< of this round
   Samples all_samples;  ///< of all rounds of this frame
   Tolerance tolerance;  ///< of what belongs to a shape
