@@ -72,7 +72,9 @@ struct Detector::Workspace {
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
+    if (result.status != Status::ok) return;
     sampler.begin(cloud);
+    labeling.begin(cloud);
   }
 
   /// Draws samples from the points that none of these explains.
@@ -89,7 +91,9 @@ struct Detector::Workspace {
     result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
     // All points in one place have no scale and no normals.
     if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
-    tolerance = {params.inlier_distance * result.scene_diameter, 0.0, std::cos(params.inlier_angle_deg * M_PI / 180.0)};
+    constexpr double kJustSo = 1.0;
+    tolerance = {NoiseModel{params.inlier_distance * result.scene_diameter},
+                 std::cos(params.inlier_angle_deg * M_PI / 180.0), kJustSo};
     const bool depth_camera = params.inlier_depth_share > 0.0 && seenByDepthCamera(cloud, normal_source);
     verification.begin({result.scene_diameter, depth_camera});
   }
@@ -139,9 +143,8 @@ struct Detector::Workspace {
   }
 
   void useVerified() {
-    const NoiseModel& noise = verification.noise();
-    tolerance.distance = kInlierDeviations * noise.distance;
-    tolerance.distance_per_depth = kInlierDeviations * noise.depth_share;
+    tolerance.noise = verification.noise();
+    tolerance.deviations = kInlierDeviations;
     describeSegments(verification.segments(), verification.samples());
   }
 
@@ -162,8 +165,8 @@ struct Detector::Workspace {
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& cloud) {
     constexpr std::size_t kMostPoints = 24576;
-    labelPoints(cloud, result.items, tolerance, labels);
-    const std::vector<LabelledPoints> points = pointsOfLabels(labels, result.items.size(), kMostPoints);
+    labeling.label(result.items, tolerance, labels);
+    pointsOfLabels(labels, result.items.size(), kMostPoints, points);
     const Measurement measurement(cloud, params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
     for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -194,8 +197,10 @@ struct Detector::Workspace {
   Tolerance tolerance;  ///< of what belongs to a shape
   std::vector<Candidate> candidates;
   std::vector<Segment> segments;  ///< by votes alone
+  Labeling labeling;
   std::vector<std::uint32_t> labels;
-  NormalSource normal_source;  ///< of this frame
+  std::vector<LabelledPoints> points;  ///< of the detections
+  NormalSource normal_source;          ///< of this frame
   Detections result;
 };
 

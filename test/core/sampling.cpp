@@ -73,11 +73,7 @@ Detection wholePlane(const Cloud& cloud, const Plane& plane) {
   return detection;
 }
 
-Tolerance oneCentimeter() {
-  Tolerance tolerance;
-  tolerance.distance = 0.01;
-  return tolerance;
-}
+Tolerance oneCentimeter() { return {NoiseModel{0.01}, 1.0, 1.0}; }
 
 /// A plane at z = 1 m with points [first, end) in front of it.
 Cloud planeWithPointsInFront(std::size_t first, std::size_t end) {
