@@ -84,10 +84,13 @@ void Labeling::labelRuns(std::size_t first, std::size_t last, const kernels::Fla
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     const Near* near = near_.data() + k * x_.size();
     for (std::size_t run = first, next = first; run < last; run = next) {
-      while (next < last && near[next] == near[run]) ++next;
+      // Runs at the border are bounded by sides of their own.
+      const bool border = near[run] == Near::border;
+      do {
+        ++next;
+      } while (!border && next < last && near[next] == near[run]);
       if (near[run] == Near::no) continue;
-      const kernels::FlatPart part =
-          near[run] == Near::border ? targets_[k].part.view() : kernels::FlatPart{nullptr, 0};
+      const kernels::FlatPart part = border ? sidesNear(targets_[k].part.view(), run) : kernels::FlatPart{nullptr, 0};
       loops.label(targets_[k].shape, part, points, run * kRun - begin, std::min(next * kRun - begin, count),
                   static_cast<std::uint32_t>(k + 1));
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Stratified random draws that look only at what they draw; see sampling.h.
+// Stratified random draws; see sampling.h.
 #include "core/sampling.h"
 
 #include <algorithm>
@@ -25,87 +25,78 @@ void gather(const Cloud& cloud, const std::vector<std::uint32_t>& indices, Sampl
     std::fill(normal->begin(), normal->end(), kMissing);
 }
 
+constexpr std::size_t kRun = 64;  // points, of which the free ones are counted together
+
+/// Free points of [begin, end); without labels all valid ones are. Written so that it needs no branches.
+std::uint32_t freeIn(const Cloud& cloud, const std::uint32_t* labels, std::size_t begin, std::size_t end) {
+  const float* const z = cloud.z.data();
+  std::uint32_t count = 0;
+  if (labels == nullptr) {
+    for (std::size_t i = begin; i < end; ++i) count += z[i] == z[i] ? 1 : 0;
+  } else {
+    for (std::size_t i = begin; i < end; ++i) count += (z[i] == z[i]) & (labels[i] == 0) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Index of the free point of this rank in a run, which has more than rank.
+std::uint32_t freeAt(const Cloud& cloud, const std::uint32_t* labels, std::size_t begin, std::uint32_t rank) {
+  constexpr std::size_t kStride = 16;
+  const auto freeFrom = [&](std::size_t from) {
+    return freeIn(cloud, labels, from, std::min(from + kStride, cloud.size()));
+  };
+  for (std::uint32_t here = freeFrom(begin); here <= rank; here = freeFrom(begin)) {
+    rank -= here;
+    begin += kStride;
+  }
+  for (std::size_t i = begin;; ++i) {
+    if (cloud.valid(i) && (labels == nullptr || labels[i] == 0) && rank-- == 0) return static_cast<std::uint32_t>(i);
+  }
+}
+
 }  // namespace
 
-void Sampler::begin(const Cloud& cloud) {
-  drawn_.assign(cloud.size(), false);
-  any_drawn_ = false;
+void Sampler::countFree(const Cloud& cloud, const std::uint32_t* labels) {
+  before_.clear();
+  std::uint32_t count = 0;
+  for (std::size_t run = 0; run * kRun < cloud.size(); ++run) {
+    before_.push_back(count);
+    count += freeIn(cloud, labels, run * kRun, std::min((run + 1) * kRun, cloud.size()));
+  }
+  before_.push_back(count);
 }
 
-/// One point at random of each of so many equal runs of the cloud, in its order.
-void Sampler::drawFrom(const Cloud& cloud, std::size_t runs, std::uint64_t seed) {
-  // Numbers of 32 bits before and 32 behind the point: no divisions.
-  const std::uint64_t step = (static_cast<std::uint64_t>(cloud.size()) << 32) / runs;
+void Sampler::drawFree(const Cloud& cloud, const std::uint32_t* labels, std::size_t count, std::uint64_t seed) {
+  const std::uint64_t all = before_.back();
   Random random(seed);
-  indices_.resize(runs);
-  std::uint64_t first = 0;
-  for (std::size_t run = 0; run < runs; ++run) {
-    const std::uint64_t end = run + 1 < runs ? ((run + 1) * step) >> 32 : cloud.size();
-    indices_[run] = static_cast<std::uint32_t>(first + (((random.next() >> 32) * (end - first)) >> 32));
-    first = end;
-  }
-}
-
-/// Those that are there, not drawn yet and not explained.
-void Sampler::keepFree(const Cloud& cloud, const ExplainedPoints& explained) {
-  constexpr std::size_t kAtOnce = ExplainedPoints::kAtOnce;
-  float x[kAtOnce], y[kAtOnce], z[kAtOnce];
-  std::uint8_t is_explained[kAtOnce] = {};
-  std::size_t kept = 0;
-  for (std::size_t first = 0; first < indices_.size(); first += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, indices_.size() - first);
-    const std::uint32_t* const here = indices_.data() + first;
-    for (std::size_t i = 0; i < count; ++i) x[i] = cloud.x[here[i]], y[i] = cloud.y[here[i]], z[i] = cloud.z[here[i]];
-    if (!explained.none()) explained.find(x, y, z, count, is_explained);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t index = here[i];
-      indices_[kept] = index;
-      kept += z[i] == z[i] && is_explained[i] == 0 && !drawn_[index] ? 1 : 0;
-    }
-  }
-  indices_.resize(kept);
-}
-
-void Sampler::keepEvenly(std::size_t count) {
-  if (indices_.size() <= count) return;
-  for (std::size_t i = 0; i < count; ++i) indices_[i] = indices_[i * indices_.size() / count];
-  indices_.resize(count);
-}
-
-void Sampler::findFree(const Cloud& cloud, const ExplainedPoints& explained, std::size_t count, std::uint64_t seed) {
-  constexpr double kGuess = 0.5;  // share of the points that later rounds find free, till they know
-  constexpr double kSpare = 1.1;  // a few more than expected
-  const auto all = static_cast<double>(cloud.size());
   indices_.clear();
-  if (cloud.valid_count == 0) return;
-  double share = cloud.valid_count / all * (explained.none() && !any_drawn_ ? 1.0 : kGuess);
-  for (bool everything = false; indices_.size() < count && !everything;) {
-    const double wanted = (share < 1.0 ? kSpare : 1.0) * static_cast<double>(count) / share;
-    // Where half of them are looked at, all of them cost hardly more.
-    everything = 2.0 * wanted >= all;
-    drawFrom(cloud, everything ? cloud.size() : static_cast<std::size_t>(wanted), seed);
-    const auto looked_at = static_cast<double>(indices_.size());
-    keepFree(cloud, explained);
-    share = static_cast<double>(std::max<std::size_t>(indices_.size(), 1)) / looked_at;
+  std::size_t run = 0;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const std::uint64_t first = k * all / count, end = (k + 1) * all / count;
+    const auto rank = static_cast<std::uint32_t>(first + random.below(end - first));
+    while (before_[run + 1] <= rank) ++run;
+    indices_.push_back(freeAt(cloud, labels, run * kRun, rank - before_[run]));
   }
 }
 
-void Sampler::draw(const Cloud& cloud, const ExplainedPoints& explained, std::size_t count, std::uint64_t seed,
+void Sampler::draw(const Cloud& cloud, std::vector<std::uint32_t>* labels, std::size_t count, std::uint64_t seed,
                    Samples& samples) {
-  findFree(cloud, explained, count, seed);
-  keepEvenly(count);
+  if (labels != nullptr) {
+    for (const std::uint32_t i : drawn_) (*labels)[i] = 1;
+  }
+  const std::uint32_t* const label = labels != nullptr ? labels->data() : nullptr;
+  countFree(cloud, label);
+  drawFree(cloud, label, std::min<std::size_t>(count, before_.back()), seed);
   gather(cloud, indices_, samples);
   along_curve_.clear();
   for (const std::uint32_t i : curve_.order(samples.x, samples.y, samples.z)) along_curve_.push_back(indices_[i]);
   gather(cloud, along_curve_, samples);
-  for (const std::uint32_t index : indices_) drawn_[index] = true;
-  any_drawn_ = true;
+  drawn_.insert(drawn_.end(), indices_.begin(), indices_.end());
 }
 
 void drawSamples(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples) {
   Sampler sampler;
-  sampler.begin(cloud);
-  sampler.draw(cloud, {}, count, seed, samples);
+  sampler.draw(cloud, nullptr, count, seed, samples);
 }
 
 double boundingBoxDiagonal(const Samples& samples) {

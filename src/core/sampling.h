@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/explained_points.h"
 #include "core/samples.h"
 #include "core/space_curve.h"
 #include "primitect/cloud.h"
@@ -17,23 +16,22 @@ namespace primitect {
 class Sampler {
  public:
   /// A new frame, of which nothing is drawn yet.
-  void begin(const Cloud& cloud);
+  void begin() { drawn_.clear(); }
 
-  /// Draws `count` valid points, evenly spread over all that are free in the cloud's order: not explained and not drawn
-  /// before. All of them where there are fewer. Sorted along a curve through space; normals are left missing.
-  void draw(const Cloud& cloud, const ExplainedPoints& explained, std::size_t count, std::uint64_t seed,
+  /// Draws min(count, free points) samples: one at random of each of count equal runs of free points in the cloud's
+  /// order, then sorted along a curve through space. Free are valid points without a label (null: all are without);
+  /// those that were drawn before get one. Normals are left missing.
+  void draw(const Cloud& cloud, std::vector<std::uint32_t>* labels, std::size_t count, std::uint64_t seed,
             Samples& samples);
 
  private:
-  void findFree(const Cloud& cloud, const ExplainedPoints& explained, std::size_t count, std::uint64_t seed);
-  void drawFrom(const Cloud& cloud, std::size_t runs, std::uint64_t seed);
-  void keepFree(const Cloud& cloud, const ExplainedPoints& explained);
-  void keepEvenly(std::size_t count);
+  void countFree(const Cloud& cloud, const std::uint32_t* labels);
+  void drawFree(const Cloud& cloud, const std::uint32_t* labels, std::size_t count, std::uint64_t seed);
 
   SpaceCurve curve_;
-  std::vector<bool> drawn_;  ///< of every point
-  bool any_drawn_ = false;
+  std::vector<std::uint32_t> before_;                 ///< free points before every run of the cloud, and all of them
   std::vector<std::uint32_t> indices_, along_curve_;  ///< of points in the cloud
+  std::vector<std::uint32_t> drawn_;                  ///< indices, in all rounds
 };
 
 /// The first samples of a cloud.

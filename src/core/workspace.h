@@ -73,7 +73,7 @@ struct Detector::Workspace {
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
     if (result.status != Status::ok) return;
-    sampler.begin(cloud);
+    sampler.begin();
     labeling.begin(cloud);
   }
 
@@ -81,9 +81,9 @@ struct Detector::Workspace {
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
-    const ExplainedPoints explained(explaining, tolerance.scaled(kOutskirts));
-    sampler.draw(cloud, explained, static_cast<std::size_t>(count), static_cast<std::uint64_t>(params.seed) + round,
-                 samples);
+    if (round > 0) labeling.label(explaining, tolerance.scaled(kOutskirts), labels);
+    sampler.draw(cloud, round > 0 ? &labels : nullptr, static_cast<std::size_t>(count),
+                 static_cast<std::uint64_t>(params.seed) + round, samples);
   }
 
   /// d_s, and what noise to expect, from the first samples.
