@@ -26,7 +26,7 @@ void LeafTree::BoxList::include(std::size_t box, int axis, float from, float to)
   high[axis][box] = empty ? to : std::max(high[axis][box], to);
 }
 
-kernels::Boxes LeafTree::BoxList::view() const {
+kernels::LeafBoxes LeafTree::BoxList::view() const {
   return {{low[0].data(), low[1].data(), low[2].data()}, {high[0].data(), high[1].data(), high[2].data()}};
 }
 

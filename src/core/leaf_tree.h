@@ -47,7 +47,7 @@ class LeafTree {
     void resize(std::size_t count);
     std::size_t size() const { return low[0].size(); }
     void include(std::size_t box, int axis, float from, float to);
-    kernels::Boxes view() const;
+    kernels::LeafBoxes view() const;
   };
 
   void clear();

@@ -159,20 +159,6 @@ void addGreedily(Choice& choice, const std::vector<Hypothesis>& pool, const std:
   }
 }
 
-/// Of the same kind, and nearly the same samples explained.
-bool alike(const Hypothesis& a, const Hypothesis& b) {
-  constexpr double kSame = 0.75;  // of the inliers of both together
-  if (kindOf(a.shape) != kindOf(b.shape)) return false;
-  double both = 0.0;
-  auto at = b.support.begin();
-  for (const Support& support : a.support) {
-    while (at != b.support.end() && at->sample < support.sample) ++at;
-    if (at == b.support.end()) break;
-    if (at->sample == support.sample && at->gain > 0.0f && support.gain > 0.0f) both += 1.0;
-  }
-  return both > kSame * (static_cast<double>(a.inliers + b.inliers) - both);
-}
-
 /// What could take the place of h once it is gone: not its likenesses, and nothing that has no sample of it.
 std::vector<std::uint32_t> substitutesOf(std::uint32_t h, const Choice& choice, const std::vector<Hypothesis>& pool) {
   std::vector<std::uint32_t> substitutes;
@@ -221,6 +207,19 @@ bool exchange(Choice& choice, const std::vector<Hypothesis>& pool) {
 }
 
 }  // namespace
+
+bool alike(const Hypothesis& a, const Hypothesis& b) {
+  constexpr double kSame = 0.75;  // of the inliers of both together
+  if (kindOf(a.shape) != kindOf(b.shape)) return false;
+  double both = 0.0;
+  auto at = b.support.begin();
+  for (const Support& support : a.support) {
+    while (at != b.support.end() && at->sample < support.sample) ++at;
+    if (at == b.support.end()) break;
+    if (at->sample == support.sample && at->gain > 0.0f && support.gain > 0.0f) both += 1.0;
+  }
+  return both > kSame * (static_cast<double>(a.inliers + b.inliers) - both);
+}
 
 Selection selectHypotheses(const Samples& samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers) {
   constexpr int kExchanges = 20;

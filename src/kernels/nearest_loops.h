@@ -10,14 +10,14 @@ namespace primitect::kernels {
 constexpr std::size_t kLeafSize = 8;  ///< points of a leaf, and neighbours of a point
 
 /// Corners of boxes along x, y and z. kLanes of them can be read at once anywhere.
-struct Boxes {
+struct LeafBoxes {
   const float *low[3], *high[3];
 };
 
 /// Points in leaves, kLanes leaves to a node. Points that are near each other in memory should be so in space.
 struct LeafTree {
   const double *x, *y, *z;  ///< kLeafSize to a leaf; empty places are kFarAway
-  Boxes leaves, nodes;      ///< around them; of empty ones: kFarAway
+  LeafBoxes leaves, nodes;      ///< around them; of empty ones: kFarAway
 };
 
 constexpr float kFarAway = 1e18f;
