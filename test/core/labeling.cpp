@@ -11,6 +11,7 @@
 
 #include "core/extent.h"
 #include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect {
 namespace {
