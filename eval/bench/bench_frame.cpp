@@ -77,25 +77,30 @@ class LazyMessages {
   Messages messages_;
 };
 
-/// Stages are the pipeline's own affair: it tells their medians over the last frames, as its diagnostics do.
+/// A pipeline and what it found last.
+struct Bout {
+  explicit Bout(const Params& params) : pipeline(params) {}
+
+  ros_layer::FramePipeline pipeline;
+  FrameClock* clock = nullptr;  ///< of the frame that runs
+  double detections = 0.0;
+};
+
 Work processing(const std::shared_ptr<LazyMessages>& messages, const Params& params) {
-  const auto pipeline = std::make_shared<ros_layer::FramePipeline>(params);
-  const auto found = std::make_shared<double>(0.0);
-  const auto run = [=](std::size_t frame, FrameClock& clock) {
-    pipeline->times().begin();
-    const PrimitiveArray message = pipeline->process(messages->get()[frame]);
+  const auto bout = std::make_shared<Bout>(params);
+  bout->pipeline.onStageDone([bout = bout.get()](const char* stage) { bout->clock->stageDone(stage); });
+  const auto run = [bout, messages](std::size_t frame, FrameClock& clock) {
+    bout->clock = &clock;
+    bout->pipeline.times().begin();
+    const PrimitiveArray message = bout->pipeline.process(messages->get()[frame]);
+    clock.stageDone("message");
     clock.end();
-    pipeline->times().stageDone("message");
-    pipeline->times().end();
-    *found = static_cast<double>(message.primitives.size());
+    bout->pipeline.times().end();
+    bout->detections = static_cast<double>(message.primitives.size());
   };
-  const auto facts = [=] {
-    Facts facts = {{"points", static_cast<double>(messages->get().front().width * messages->get().front().height)},
-                   {"detections", *found}};
-    for (const ros_layer::StageSummary& stage : pipeline->times().summaries()) {
-      facts.emplace_back("stage " + stage.stage, stage.median);
-    }
-    return facts;
+  const auto facts = [bout, messages] {
+    const sensor_msgs::PointCloud2& first = messages->get().front();
+    return Facts{{"points", static_cast<double>(first.width) * first.height}, {"detections", bout->detections}};
   };
   return {messages->get().size(), run, facts};
 }

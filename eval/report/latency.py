@@ -6,6 +6,7 @@ from report.tables import Table, cell
 
 MILLISECONDS = 1000.0
 PERCENT = 100.0
+WAKE_UP = 0.002  # s, that a detector's thread may take from one frame to the next
 
 
 def frames_of(pair, begin, end):
@@ -33,7 +34,7 @@ def drops(frames):
             continue
         if free_at is None:  # what went on before the first answer is not known
             continue
-        busy_until_next = frames[k + 1][0] <= free_at
+        busy_until_next = frames[k + 1][0] <= free_at + WAKE_UP
         replaced, lost = replaced + busy_until_next, lost + (not busy_until_next)
     return replaced, lost
 

@@ -72,12 +72,12 @@ class Session:
     def node(self, name, *command):
         """Starts a node under an absolute name and waits for it; returns its process number."""
         namespace, _, base = name.rpartition("/")
-        self.start(["rosrun", *command, "__name:=" + base] + (["__ns:=" + namespace] if namespace else []))
+        self.start([*command, "__name:=" + base] + (["__ns:=" + namespace] if namespace else []))
         return self.wait_for(lambda: self.pid_of(name), name)
 
     def manager(self, name, threads):
         """An empty nodelet manager; returns its process number."""
-        return self.node(name, "nodelet", "nodelet", "manager", "_num_worker_threads:=%d" % threads)
+        return self.node(name, "rosrun", "nodelet", "nodelet", "manager", "_num_worker_threads:=%d" % threads)
 
     def pid_of(self, name):
         code, _, uri = self.master().lookupNode(CALLER, name)

@@ -32,16 +32,13 @@ def ratio(one, other):
 
 def figures_of(case):
     """What one case of the benchmark programs says: ms of processor time, allocations a frame, and its facts."""
-    facts = dict(case.get("facts", {}))
     stages = {name: median(times) for name, times in case.get("stages_ms", {}).items()}
-    stages.update({name[len("stage "):]: value for name, value in facts.items() if name.startswith("stage ")})
-    stages.pop("total", None)
     times = case["cpu_ms"]
     return {"median_ms": median(times), "p95_ms": percentile(times, 95), "p99_ms": percentile(times, 99),
             "wall_ms": median(case["wall_ms"]), "frames": len(times), "stages_ms": stages,
             "allocations": median(case.get("allocations", ())),
             "allocated_bytes": median(case.get("allocated_bytes", ())),
-            "facts": {name: value for name, value in facts.items() if not name.startswith("stage ")}}
+            "facts": case.get("facts", {})}
 
 
 def figure(figures, case, name="median_ms"):

@@ -6,10 +6,10 @@ from report.tables import Table, cell
 
 GROUPS = (("detect", "Cloud in memory to primitives, by stage",
            "Medians over all frames, ms of processor time: the work has one thread. Passed: time by the clock, the "
-           "same on a machine that does nothing else. Paper: 160,801 points with normals of the paper's mixed set; 640 and "
-           "1280: simulated frames of 640x480 and 1280x720. Allocations: a frame, when all buffers have grown."),
+           "same on a machine that does nothing else. Paper: 160,801 points with normals of the paper's mixed set; 640 "
+           "and 1280: simulated frames of 640x480 and 1280x720. Allocations: a frame, when all buffers have grown."),
           ("frame", "Bytes of a PointCloud2 to the filled message, by stage",
-           "As the nodelet does it, without topics; 16 or 32 bytes a point. Stages by the clock; otherwise as above."))
+           "As the nodelet does it, without topics; 16 or 32 bytes a point. Otherwise as above."))
 CURVES = (("points", "Points with normals (one scene of the paper's set, resampled)"),
           ("pixels", "Pixels of a depth frame, from the message's bytes on"),
           ("samples", "Samples a round, paper's set"), ("objects", "Objects on a table, 640x480"))

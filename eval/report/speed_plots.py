@@ -3,6 +3,8 @@
 """The plots of eval/speed: where a frame's time goes, and how it grows."""
 import os
 
+from matplotlib import ticker
+
 from report import figures as style
 from report import speed, speed_page
 
@@ -53,9 +55,11 @@ def draw_curve(axes, figures, name, points):
     axes.set_ylabel("ms, median")
     if name != "objects":
         axes.set_xscale("log")
-        style.plain_log(axes.xaxis)
+        axes.set_xticks([place for place, _ in points][::2 if name != "samples" else 1])
+        axes.xaxis.set_major_formatter(ticker.EngFormatter(sep="") if name != "samples" else ticker.ScalarFormatter())
+        axes.xaxis.set_minor_locator(ticker.NullLocator())
     if name in ("points", "pixels"):
         axes.set_yscale("log")
-        style.plain_log(axes.yaxis)
+        style.plain_log(axes.yaxis, short=name == "points")
     else:
         axes.set_ylim(bottom=0)

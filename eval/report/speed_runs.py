@@ -81,12 +81,26 @@ def parse_kernels(text):
     return found if not found or "scalar" in found else ["scalar"] + found
 
 
-def kernels_here(detect):
-    """Kernels that can be chosen by PRIMITECT_KERNELS; ["scalar"] where there is no such choice yet."""
+def accepts(program, kernel):
+    """Whether the benchmark program runs with this value of PRIMITECT_KERNELS."""
     try:
-        return parse_kernels(run([detect, "--kernels"])) or ["scalar"]
+        return bool(times_of(program, ["objects/1"], SMOKE, 0.001, {"PRIMITECT_KERNELS": kernel}))
+    except Failed:
+        return False
+
+
+def kernels_here(detect, program):
+    """Kernels that can be chosen by PRIMITECT_KERNELS: as `detect --kernels` tells, or by trying where it does not;
+    ["scalar"] where there is no such choice."""
+    try:
+        told = parse_kernels(run([detect, "--kernels"]))
     except (Failed, OSError):
+        told = []
+    if told:
+        return told
+    if accepts(program, "no-such-kernel"):
         return ["scalar"]
+    return [kernel for kernel in KERNELS if accepts(program, kernel)]
 
 
 def voting_times(program, kernels, effort, note):

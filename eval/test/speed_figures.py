@@ -4,6 +4,7 @@
 """eval/speed and eval/latency: medians, percentiles, ratios, drops and verdicts, on times made up for it."""
 import os
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True
 EVAL = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -38,11 +39,9 @@ def test_percentiles_lie_between_the_nearest_ranks():
     assert speed.percentile([], 99) is None and speed.median([]) is None
 
 
-def test_stages_come_from_frames_or_from_what_the_pipeline_told():
-    facts = {"stage read": 0.5, "stage total": 6.0, "points": 9}
-    told = speed.figures_of(case([5.0, 7.0], {"vote": [1.0, 3.0]}, **facts))
-    assert told["stages_ms"] == {"vote": 2.0, "read": 0.5}
-    assert told["facts"] == {"points": 9}
+def test_each_stage_has_the_median_of_its_own():
+    told = speed.figures_of(case([5.0, 7.0, 9.0], {"vote": [1.0, 3.0, 2.0], "measure": [4.0, 1.0, 7.0]}, points=9))
+    assert told["stages_ms"] == {"vote": 2.0, "measure": 4.0} and told["facts"] == {"points": 9}
 
 
 def test_growth_is_judged_by_its_worst_decade():
@@ -91,7 +90,33 @@ def test_kernels_that_are_not_there_are_not_run():
     assert speed_runs.parse_kernels("avx2 (of: scalar, portable, avx2)") == ["scalar", "portable", "avx2"]
     assert speed_runs.parse_kernels("avx2") == ["scalar", "avx2"]
     assert speed_runs.parse_kernels("detect: unknown option") == []
-    assert speed_runs.kernels_here("/nonexistent/detect") == ["scalar"]
+
+
+def made_up(folder, name, text):
+    """A program that is a shell script."""
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("#!/bin/sh\n" + text)
+    os.chmod(path, 0o755)
+    return path
+
+
+def test_kernels_are_asked_for_or_tried():
+    measures = """while [ $# -gt 1 ]; do
+      [ "$1" = --times ] && echo '{"objects/1": {"cpu_ms": [1]}}' >"$2"
+      shift
+    done
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        tells = made_up(folder, "tells", "echo 'scalar, portable'")
+        knows_no_option = made_up(folder, "old", "exit 2")
+        refuses = "case $PRIMITECT_KERNELS in scalar|avx2) ;; *) exit 1 ;; esac\n"
+        chooses = made_up(folder, "chooses", refuses + measures)
+        ignores = made_up(folder, "ignores", measures)
+        assert speed_runs.kernels_here(tells, ignores) == ["scalar", "portable"]
+        assert speed_runs.kernels_here(knows_no_option, chooses) == ["scalar", "avx2"]
+        assert speed_runs.kernels_here(knows_no_option, ignores) == ["scalar"]
+        assert speed_runs.kernels_here("/nonexistent/detect", ignores) == ["scalar"]
 
 
 def test_an_effort_leaves_out_large_clouds_and_slow_peers():
@@ -102,7 +127,6 @@ def test_an_effort_leaves_out_large_clouds_and_slow_peers():
 
 
 def test_every_table_and_plot_is_made_of_what_there_is():
-    import tempfile
     some = {name: speed.figures_of(case([2.0, 3.0], {"sample": [1.0, 1.0], "vote": [1.0, 2.0]})) for name in (
         "detect/paper/default", "peer/cgal/paper", "points/10000", "points/100000")}
     result = {"figures": some, "kernels": {"scalar": [1.0]},
