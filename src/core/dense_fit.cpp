@@ -13,20 +13,39 @@
 
 namespace primitect {
 
-std::vector<LabelledPoints> pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
-                                           std::size_t most) {
-  std::vector<LabelledPoints> points(count);
-  for (const std::uint32_t label : labels) {
-    if (label > 0) ++points[label - 1].all;
+namespace {
+
+/// Neighbours of the same label.
+struct Run {
+  std::uint32_t label, begin, end;
+};
+
+/// Calls use(run) for all runs of a label above 0.
+template <class Use>
+void forRuns(const std::vector<std::uint32_t>& labels, const Use& use) {
+  const std::uint32_t count = static_cast<std::uint32_t>(labels.size());
+  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+    const std::uint32_t label = labels[begin];
+    while (end < count && labels[end] == label) ++end;
+    if (label > 0) use(Run{label, begin, end});
   }
-  std::vector<std::size_t> rank(count, 0);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] == 0) continue;
-    const std::size_t k = labels[i] - 1;
-    const std::size_t step = points[k].all / most + 1;
-    if (rank[k]++ % step == 0) points[k].index.push_back(static_cast<std::uint32_t>(i));
-  }
-  return points;
+}
+
+}  // namespace
+
+void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
+                    std::vector<LabelledPoints>& points) {
+  points.resize(count);
+  for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
+  forRuns(labels, [&points](const Run& run) { points[run.label - 1].all += run.end - run.begin; });
+  std::vector<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
+  forRuns(labels, [&](const Run& run) {
+    LabelledPoints& of_label = points[run.label - 1];
+    const std::size_t step = of_label.all / most + 1;
+    std::size_t next = run.begin + rest[run.label - 1];
+    for (; next < run.end; next += step) of_label.index.push_back(static_cast<std::uint32_t>(next));
+    rest[run.label - 1] = next - run.end;
+  });
 }
 
 Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise) {

@@ -20,8 +20,8 @@ struct LabelledPoints {
 };
 
 /// Points of the labels 1 to `count`, at most `most` of each.
-std::vector<LabelledPoints> pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
-                                           std::size_t most);
+void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
+                    std::vector<LabelledPoints>& points);
 
 /// As samples without normals.
 Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise);

@@ -9,8 +9,10 @@
 
 namespace primitect {
 
-/// Axial noise of structured-light cameras (m, one standard deviation) at depth z (Nguyen et al., 3DIMPVT 2012).
-inline double axialNoise(double z) { return 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4); }
+/// Axial noise of structured-light cameras (m, one standard deviation) at depth z (Nguyen et al., 3DIMPVT 2012): the
+/// least, at the nearest depth they measure, and its growth.
+constexpr double kAxialLeast = 0.0012, kAxialNearest = 0.4, kAxialGrowth = 0.0019;
+inline double axialNoise(double z) { return kAxialLeast + kAxialGrowth * (z - kAxialNearest) * (z - kAxialNearest); }
 
 struct NoiseModel {
   double distance = 0.0;     ///< m, one standard deviation of the distance to the surface, the same everywhere

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "kernels/loops.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
@@ -21,7 +22,8 @@ class ObservedPart {
   /// by no more than the point moves.
   float depth(float x, float y, float z) const {
     float least = std::numeric_limits<float>::infinity();
-    for (const Side& side : sides_) least = std::min(least, side.x * x + side.y * y + side.z * z - side.offset);
+    for (const kernels::FlatSide& side : sides_)
+      least = std::min(least, side.x * x + side.y * y + side.z * z - side.offset);
     return least;
   }
 
@@ -30,22 +32,18 @@ class ObservedPart {
     // Most points of a large plane lie within the ball that touches the nearest side.
     const float dx = x - center_[0], dy = y - center_[1], dz = z - center_[2];
     if (dx * dx + dy * dy + dz * dz < ball_sq_) return true;
-    for (const Side& side : sides_) {
+    for (const kernels::FlatSide& side : sides_) {
       if (side.x * x + side.y * y + side.z * z - side.offset < -margin) return false;
     }
     return true;
   }
 
-  /// Unit vector inwards, and its product with the points of the plane (m).
-  struct Side {
-    float x, y, z, offset;
-  };
-  const std::vector<Side>& sides() const { return sides_; }
+  kernels::FlatPart view() const { return {sides_.data(), sides_.size()}; }
 
  private:
   void addSide(const Vec3& inward, const Vec3& point);
 
-  std::vector<Side> sides_;
+  std::vector<kernels::FlatSide> sides_;
   float center_[3];
   float ball_sq_;  ///< m^2, squared radius around the centre; negative: there is no such ball
 };

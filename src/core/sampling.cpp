@@ -1,113 +1,112 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Stratified random draw in one pass over the cloud; see sampling.h.
+// Stratified random draws; see sampling.h.
 #include "core/sampling.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/random.h"
 
 namespace primitect {
 namespace {
 
-struct Box {
-  std::array<float, 3> low, high;
-};
-
-Box boundingBox(const Samples& samples) {
-  const auto range = [](const std::vector<float>& values) { return std::minmax_element(values.begin(), values.end()); };
-  const auto x = range(samples.x), y = range(samples.y), z = range(samples.z);
-  return {{*x.first, *y.first, *z.first}, {*x.second, *y.second, *z.second}};
-}
-
-/// Spreads the lower ten bits of a number to every third bit.
-std::uint32_t everyThirdBit(std::uint32_t bits) {
-  bits = (bits | (bits << 16)) & 0x030000ffu;
-  bits = (bits | (bits << 8)) & 0x0300f00fu;
-  bits = (bits | (bits << 4)) & 0x030c30c3u;
-  return (bits | (bits << 2)) & 0x09249249u;
-}
-
-/// Place of a point on the Z curve (Morton order) through a cube of 1024^3 cells around the box.
-std::uint32_t zCurvePlace(const Box& box, float x, float y, float z) {
-  const float longest = std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2], 1e-9f});
-  const auto cell = [&](float value, float low) {
-    return static_cast<std::uint32_t>(std::min((value - low) / longest * 1024.0f, 1023.0f));
-  };
-  return everyThirdBit(cell(x, box.low[0])) | (everyThirdBit(cell(y, box.low[1])) << 1) |
-         (everyThirdBit(cell(z, box.low[2])) << 2);
-}
-
-/// Which points can be drawn.
-struct FreePoints {
-  const Cloud& cloud;
-  const std::vector<std::uint32_t>& labels;
-
-  bool operator()(std::size_t i) const { return cloud.valid(i) && (labels.empty() || labels[i] == 0); }
-  std::size_t count() const {
-    if (labels.empty()) return cloud.valid_count;
-    std::size_t free_count = 0;
-    for (std::size_t i = 0; i < cloud.size(); ++i) free_count += (*this)(i) ? 1 : 0;
-    return free_count;
+void gather(const Cloud& cloud, const std::vector<std::uint32_t>& indices, Samples& samples) {
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  samples.clear();
+  samples.resize(indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::uint32_t index = indices[i];
+    samples.index[i] = index;
+    samples.x[i] = cloud.x[index], samples.y[i] = cloud.y[index], samples.z[i] = cloud.z[index];
   }
-};
+  for (std::vector<float>* normal : {&samples.nx, &samples.ny, &samples.nz})
+    std::fill(normal->begin(), normal->end(), kMissing);
+}
 
-/// Cloud indices of the drawn points, in the cloud's order; count is at most free_count.
-void drawIndices(const FreePoints& is_free, std::size_t free_count, std::size_t count, std::uint64_t seed,
-                 std::vector<std::uint32_t>& indices) {
-  Random random(seed);
-  indices.clear();
-  const auto drawRank = [&](std::uint64_t run) {
-    const std::uint64_t first = run * free_count / count;
-    const std::uint64_t end = (run + 1) * free_count / count;
-    return first + random.below(end - first);
+constexpr std::size_t kRun = 64;  // points, of which the free ones are counted together
+
+/// Free points of [begin, end); without labels all valid ones are. Written so that it needs no branches.
+std::uint32_t freeIn(const Cloud& cloud, const std::uint32_t* labels, std::size_t begin, std::size_t end) {
+  const float* const z = cloud.z.data();
+  std::uint32_t count = 0;
+  if (labels == nullptr) {
+    for (std::size_t i = begin; i < end; ++i) count += z[i] == z[i] ? 1 : 0;
+  } else {
+    for (std::size_t i = begin; i < end; ++i) count += (z[i] == z[i]) & (labels[i] == 0) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Index of the free point of this rank in a run, which has more than rank.
+std::uint32_t freeAt(const Cloud& cloud, const std::uint32_t* labels, std::size_t begin, std::uint32_t rank) {
+  constexpr std::size_t kStride = 16;
+  const auto freeFrom = [&](std::size_t from) {
+    return freeIn(cloud, labels, from, std::min(from + kStride, cloud.size()));
   };
-  std::uint64_t rank = 0;  // of the free point being looked at
-  std::uint64_t wanted = drawRank(0);
-  for (std::size_t i = 0; i < is_free.cloud.size() && indices.size() < count; ++i) {
-    if (!is_free(i) || rank++ != wanted) continue;
-    indices.push_back(static_cast<std::uint32_t>(i));
-    if (indices.size() < count) wanted = drawRank(indices.size());
+  for (std::uint32_t here = freeFrom(begin); here <= rank; here = freeFrom(begin)) {
+    rank -= here;
+    begin += kStride;
+  }
+  for (std::size_t i = begin;; ++i) {
+    if (cloud.valid(i) && (labels == nullptr || labels[i] == 0) && rank-- == 0) return static_cast<std::uint32_t>(i);
   }
 }
 
 }  // namespace
 
-void drawSamples(const Cloud& cloud, const std::vector<std::uint32_t>& labels, std::size_t count, std::uint64_t seed,
-                 Samples& samples) {
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  samples.clear();
-  const FreePoints is_free = {cloud, labels};
-  const std::size_t free_count = is_free.count();
-  count = std::min(count, free_count);
-  if (count == 0) return;
-  drawIndices(is_free, free_count, count, seed, samples.index);
-  const auto gather = [&] {
-    samples.resize(samples.index.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      samples.x[i] = cloud.x[samples.index[i]];
-      samples.y[i] = cloud.y[samples.index[i]];
-      samples.z[i] = cloud.z[samples.index[i]];
-      samples.nx[i] = samples.ny[i] = samples.nz[i] = kMissing;
-      samples.normal_sigma[i] = 0.0f;
-    }
-  };
-  gather();
-  const Box box = boundingBox(samples);
-  std::sort(samples.index.begin(), samples.index.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t place_a = zCurvePlace(box, cloud.x[a], cloud.y[a], cloud.z[a]);
-    const std::uint32_t place_b = zCurvePlace(box, cloud.x[b], cloud.y[b], cloud.z[b]);
-    return place_a != place_b ? place_a < place_b : a < b;
-  });
-  gather();
+void Sampler::countFree(const Cloud& cloud, const std::uint32_t* labels) {
+  before_.clear();
+  std::uint32_t count = 0;
+  for (std::size_t run = 0; run * kRun < cloud.size(); ++run) {
+    before_.push_back(count);
+    count += freeIn(cloud, labels, run * kRun, std::min((run + 1) * kRun, cloud.size()));
+  }
+  before_.push_back(count);
+}
+
+void Sampler::drawFree(const Cloud& cloud, const std::uint32_t* labels, std::size_t count, std::uint64_t seed) {
+  const std::uint64_t all = before_.back();
+  Random random(seed);
+  indices_.clear();
+  std::size_t run = 0;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const std::uint64_t first = k * all / count, end = (k + 1) * all / count;
+    const auto rank = static_cast<std::uint32_t>(first + random.below(end - first));
+    while (before_[run + 1] <= rank) ++run;
+    indices_.push_back(freeAt(cloud, labels, run * kRun, rank - before_[run]));
+  }
+}
+
+void Sampler::draw(const Cloud& cloud, std::vector<std::uint32_t>* labels, std::size_t count, std::uint64_t seed,
+                   Samples& samples) {
+  if (labels != nullptr) {
+    for (const std::uint32_t i : drawn_) (*labels)[i] = 1;
+  }
+  const std::uint32_t* const label = labels != nullptr ? labels->data() : nullptr;
+  countFree(cloud, label);
+  drawFree(cloud, label, std::min<std::size_t>(count, before_.back()), seed);
+  gather(cloud, indices_, samples);
+  along_curve_.clear();
+  for (const std::uint32_t i : curve_.order(samples.x, samples.y, samples.z)) along_curve_.push_back(indices_[i]);
+  gather(cloud, along_curve_, samples);
+  drawn_.insert(drawn_.end(), indices_.begin(), indices_.end());
+}
+
+void drawSamples(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples) {
+  Sampler sampler;
+  sampler.draw(cloud, nullptr, count, seed, samples);
 }
 
 double boundingBoxDiagonal(const Samples& samples) {
   if (samples.size() == 0) return 0.0;
-  const Box box = boundingBox(samples);
-  return std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
+  double squares = 0.0;
+  for (const std::vector<float>* values : {&samples.x, &samples.y, &samples.z}) {
+    const auto range = std::minmax_element(values->begin(), values->end());
+    squares += std::pow(static_cast<double>(*range.second) - *range.first, 2);
+  }
+  return std::sqrt(squares);
 }
 
 }  // namespace primitect

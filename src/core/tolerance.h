@@ -3,7 +3,6 @@
 // How far a sample may lie from a shape and still belong to it.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,23 +14,14 @@
 namespace primitect {
 
 struct Tolerance {
-  double distance = 0.0;            ///< m
-  double distance_per_depth = 0.0;  ///< above 0: a depth camera; then this share of z, or three times its noise
-  double cos_angle = 1.0;           ///< between the normals
-  double scale = 1.0;               ///< of what the depth gives
+  NoiseModel noise;
+  double cos_angle = 1.0;                 ///< between the normals
+  double deviations = kInlierDeviations;  ///< of the noise
 
-  double distanceAt(const Vec3& point) const {
-    if (distance_per_depth <= 0.0) return distance;
-    return scale * std::max(3.0 * axialNoise(point.z()), distance_per_depth * point.z());
-  }
+  double distanceAt(const Vec3& point) const { return deviations * noise.at(point); }
 
   /// The same for distances `factor` times as large.
-  Tolerance scaled(double factor) const {
-    Tolerance result = *this;
-    result.distance *= factor;
-    result.scale *= factor;
-    return result;
-  }
+  Tolerance scaled(double factor) const { return {noise, cos_angle, factor * deviations}; }
 };
 
 /// |distance| of the sample to the shape if it can be its inlier, else infinity.

@@ -72,17 +72,18 @@ struct Detector::Workspace {
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
+    if (result.status != Status::ok) return;
+    sampler.begin();
+    labeling.begin(cloud);
   }
 
-  /// Draws samples with normals from the points that none of these explains.
+  /// Draws samples from the points that none of these explains.
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
-    labels.clear();
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
-    if (round > 0) labelPoints(cloud, explaining, tolerance.scaled(kOutskirts), labels);
-    // No point votes twice: what was drawn counts as taken.
-    for (const std::uint32_t i : all_samples.index) labels[i] = 1;
-    drawSamples(cloud, labels, count, static_cast<std::uint64_t>(params.seed) + round, samples);
+    if (round > 0) labeling.label(explaining, tolerance.scaled(kOutskirts), labels);
+    sampler.draw(cloud, round > 0 ? &labels : nullptr, static_cast<std::size_t>(count),
+                 static_cast<std::uint64_t>(params.seed) + round, samples);
   }
 
   /// d_s, and what noise to expect, from the first samples.
@@ -90,7 +91,9 @@ struct Detector::Workspace {
     result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
     // All points in one place have no scale and no normals.
     if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
-    tolerance = {params.inlier_distance * result.scene_diameter, 0.0, std::cos(params.inlier_angle_deg * M_PI / 180.0)};
+    constexpr double kJustSo = 1.0;
+    tolerance = {NoiseModel{params.inlier_distance * result.scene_diameter},
+                 std::cos(params.inlier_angle_deg * M_PI / 180.0), kJustSo};
     const bool depth_camera = params.inlier_depth_share > 0.0 && seenByDepthCamera(cloud, normal_source);
     verification.begin({result.scene_diameter, depth_camera});
   }
@@ -140,9 +143,8 @@ struct Detector::Workspace {
   }
 
   void useVerified() {
-    const NoiseModel& noise = verification.noise();
-    tolerance.distance = kInlierDeviations * noise.distance;
-    tolerance.distance_per_depth = kInlierDeviations * noise.depth_share;
+    tolerance.noise = verification.noise();
+    tolerance.deviations = kInlierDeviations;
     describeSegments(verification.segments(), verification.samples());
   }
 
@@ -174,8 +176,8 @@ struct Detector::Workspace {
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& cloud) {
     constexpr std::size_t kMostPoints = 24576;
-    labelPoints(cloud, result.items, tolerance, labels);
-    const std::vector<LabelledPoints> points = pointsOfLabels(labels, result.items.size(), kMostPoints);
+    labeling.label(result.items, tolerance, labels);
+    pointsOfLabels(labels, result.items.size(), kMostPoints, points);
     const Measurement measurement(cloud, params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
     for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -200,13 +202,16 @@ struct Detector::Workspace {
   std::function<void(const char*)> stage_done;
   PairVoting voting;
   Verification verification;
+  Sampler sampler;
   Samples samples;      ///< of this round
   Samples all_samples;  ///< of all rounds of this frame
   Tolerance tolerance;  ///< of what belongs to a shape
   std::vector<Candidate> candidates;
   std::vector<Segment> segments;  ///< by votes alone
+  Labeling labeling;
   std::vector<std::uint32_t> labels;
-  NormalSource normal_source;  ///< of this frame
+  std::vector<LabelledPoints> points;  ///< of the detections
+  NormalSource normal_source;          ///< of this frame
   Detections result;
 };
 

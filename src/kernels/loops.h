@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "kernels/nearest_loops.h"
 #include "kernels/window_loops.h"
@@ -68,6 +69,46 @@ struct MomentSums {
   double tangent[3];
 };
 
+/// What lies on the inner side of some planes: products with unit vectors inwards are at least the offsets (m).
+struct FlatSide {
+  float x, y, z, offset;
+};
+struct FlatPart {
+  const FlatSide* sides;
+  std::size_t count;
+};
+
+/// least + growth (z - nearest)^2, but at least share * z (m).
+struct FlatTolerance {
+  float least, growth, nearest, share;
+};
+
+/// One for each run of points; radius -1: all of them are missing.
+struct Balls {
+  float *x, *y, *z, *radius;
+};
+
+/// Points with what is known so far: the label of the nearest shape, and its distance, at first what is allowed.
+struct LabelledCloud {
+  const float *x, *y, *z, *allowed;
+  float* nearest;
+  std::uint32_t* labels;
+};
+
+/// Distances (m) of points to a surface and its outward unit normals below them.
+struct FlatFeet {
+  float *distance, *nx, *ny, *nz;
+};
+
+/// A place, and how far around it to look (m^2).
+struct FlatProbe {
+  float x, y, z, reach_sq;
+};
+/// Weighted sum of the offsets (m) from a place, and of the weights.
+struct FlatAround {
+  float x, y, z, weight;
+};
+
 struct Loops {
   const char* name;  ///< of the instruction set
 
@@ -95,6 +136,28 @@ struct Loops {
   /// fields: x, y, z, nx, ny, nz of count points, a multiple of kLanes; filled up with zeros. once: 1 for each point, 0
   /// for what fills up.
   void (*moments)(const float* const* fields, const float* once, std::size_t count, MomentSums& sums);
+
+  /// Balls around runs of `size` points, of which some may be NaN.
+  void (*balls)(const float* x, const float* y, const float* z, std::size_t count, std::size_t size,
+                const Balls& result);
+
+  /// How far points lie within the part (m); infinite without sides.
+  void (*depths)(const FlatPart& part, const float* x, const float* y, const float* z, std::size_t count, float* depth);
+
+  /// What each depth allows (m).
+  void (*tolerances)(const FlatTolerance& tolerance, const float* z, std::size_t count, float* allowed);
+
+  /// Labels the points [begin, end) to which the shape is nearer than what they have, and which lie within its part
+  /// enlarged by what they allow.
+  void (*label)(const FlatShape& shape, const FlatPart& part, const LabelledCloud& cloud, std::size_t begin,
+                std::size_t end, std::uint32_t label);
+
+  void (*feet)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
+               const FlatFeet& feet);
+
+  /// Of `count` points, a multiple of kLanes: filled up with such of weight 0.
+  FlatAround (*around)(const FlatProbe& probe, const float* x, const float* y, const float* z, const float* weight,
+                       std::size_t count);
 };
 
 /// For the machine that runs this.

@@ -75,7 +75,7 @@ TEST(WindowNormals, LookAtAWiderWindowNearby) {
       for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
     }
     Samples samples;
-    drawSamples(cloud, {}, 300, 1, samples);
+    drawSamples(cloud, 300, 1, samples);
     NormalSource source;
     estimateNormals(cloud, Params(), source, samples);
     double sum = 0.0;
@@ -104,7 +104,7 @@ TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
   Cloud cloud = test::cloudOf(points);
   for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) values->clear();
   Samples samples;
-  drawSamples(cloud, {}, 200, 1, samples);
+  drawSamples(cloud, 200, 1, samples);
   NormalSource source;
   estimateNormals(cloud, Params(), source, samples);
   std::vector<double> errors;
@@ -131,7 +131,7 @@ TEST(WindowNormals, AreFoundInAnImageThatLostItsOrder) {
     cloud.setPoint(i, image.x[order[i]], image.y[order[i]], image.z[order[i]], {});
   }
   Samples samples;
-  drawSamples(cloud, {}, 200, 1, samples);
+  drawSamples(cloud, 200, 1, samples);
   NormalSource source;
   estimateNormals(cloud, Params(), source, samples);
   EXPECT_TRUE(seenByDepthCamera(cloud, source));
@@ -173,7 +173,7 @@ TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
     values->assign(cloud.size(), std::numeric_limits<float>::quiet_NaN());
   }
   Samples samples;
-  drawSamples(cloud, {}, 50, 1, samples);
+  drawSamples(cloud, 50, 1, samples);
   NormalSource source;
   estimateNormals(cloud, Params(), source, samples);
   for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_NEAR(samples.nz[i], -1.0f, 1e-4f);

@@ -20,7 +20,7 @@ using test::patchOf;
 using test::SurfacePoint;
 
 /// 10 mm and 20 deg.
-const Tolerance kTolerance = {0.01, 0.0, std::cos(20.0 * kDegree)};
+const Tolerance kTolerance = {NoiseModel{0.01}, std::cos(20.0 * kDegree), 1.0};
 
 TEST(Segmentation, ExplainsEachSampleAtMostOnce) {
   Random random(33);

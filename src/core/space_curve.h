@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// An order of points in which neighbours in space are near each other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace primitect {
+
+/// Place of a cell on the Hilbert curve through 1024^3 cells; x, y and z below 1024. Unlike the Z curve it never jumps:
+/// boxes around runs of samples, eight or 64 to a run, are smaller.
+std::uint32_t hilbertPlace(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+
+/// Sorts points along the curve; its buffers are kept.
+class SpaceCurve {
+ public:
+  /// The order of these points: positions in the lists, along the curve; as they come within a cell. The cube around
+  /// most of them is divided into cells; the few farther out fall into the outermost.
+  const std::vector<std::uint32_t>& order(const std::vector<float>& x, const std::vector<float>& y,
+                                          const std::vector<float>& z);
+
+ private:
+  struct Cube {
+    std::array<float, 3> low;
+    float cells_per_meter;
+  };
+  struct Entry {
+    std::uint32_t place, position;
+  };
+
+  Cube cubeAround(const std::array<const std::vector<float>*, 3>& fields);
+  void sortByPlace();
+
+  std::vector<Entry> entries_, sorted_;
+  std::vector<float> some_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace primitect

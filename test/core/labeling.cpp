@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Labels of runs of points against labels of one point after the other.
+#include "core/labeling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/extent.h"
+#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
+
+namespace primitect {
+namespace {
+
+using test::measured;
+using test::patchOf;
+using test::together;
+
+const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
+const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
+const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
+const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 0.44};
+
+/// One shape after the other, with points missing and not a whole number of runs.
+Cloud cloudInOrder() {
+  Random random(61);
+  const auto curved = together(patchOf(kBall, 1000, random), together(patchOf(kCan, 1000, -0.1, 0.1, random),
+                                                                      patchOf(kHat, 1003, 0.03, 0.25, random)));
+  Cloud cloud = test::cloudOf(measured(together(patchOf(kTable, 3000, 0.5, random), curved), 0.002, 0.0, random));
+  for (std::size_t i = 0; i < cloud.size(); i += 17) cloud.x[i] = cloud.y[i] = cloud.z[i] = std::nanf("");
+  for (std::size_t i = 640; i < 900; ++i) cloud.x[i] = cloud.y[i] = cloud.z[i] = std::nanf("");
+  return cloud;
+}
+
+Cloud shuffled(Cloud cloud) {
+  Random random(62);
+  for (std::size_t i = cloud.size() - 1; i > 0; --i) {
+    const std::size_t k = random.below(i + 1);
+    std::swap(cloud.x[i], cloud.x[k]);
+    std::swap(cloud.y[i], cloud.y[k]);
+    std::swap(cloud.z[i], cloud.z[k]);
+  }
+  return cloud;
+}
+
+/// Of which parts were seen that are smaller than the patches.
+std::vector<Detection> detections() {
+  Random random(63);
+  const auto seen = [](const Shape& shape, const std::vector<test::SurfacePoint>& patch) {
+    std::vector<Vec3> points;
+    for (const test::SurfacePoint& p : patch) points.push_back(p.point);
+    Detection detection;
+    detection.shape = shape;
+    detection.extent = measureExtent(shape, points);
+    return detection;
+  };
+  return {seen(kTable, patchOf(kTable, 2000, 0.4, random)), seen(kBall, patchOf(kBall, 500, random)),
+          seen(kCan, patchOf(kCan, 500, -0.05, 0.05, random)), seen(kHat, patchOf(kHat, 500, 0.05, 0.2, random))};
+}
+
+/// The label of a point by its distances and depths; nothing when float may decide otherwise.
+std::optional<std::uint32_t> labelOf(const Vec3& p, const std::vector<Detection>& items, const Tolerance& tolerance) {
+  constexpr double kUndecided = 1e-6;  // m
+  const double allowed = tolerance.distanceAt(p);
+  double nearest = allowed;
+  std::uint32_t label = 0;
+  for (std::uint32_t k = 0; k < items.size(); ++k) {
+    const Eigen::Vector3f f = p.cast<float>();
+    const double away = std::abs(distance(items[k].shape, p));
+    const double depth = ObservedPart(items[k].shape, items[k].extent).depth(f.x(), f.y(), f.z()) + allowed;
+    if (std::abs(away - nearest) < kUndecided || std::abs(depth) < kUndecided) return std::nullopt;
+    if (!(away < nearest) || depth < 0.0) continue;
+    nearest = away;
+    label = k + 1;
+  }
+  return label;
+}
+
+const Tolerance kEverywhereAlike = {NoiseModel{0.002}, 1.0, 3.0};
+const Tolerance kOfDepthCamera = {NoiseModel{0.0, 0.001}, 1.0, 3.0};
+
+TEST(LabelPoints, GivesEachPointToTheNearestShapeOnWhosePartItLies) {
+  const std::vector<Detection> items = detections();
+  for (const Cloud& cloud : {cloudInOrder(), shuffled(cloudInOrder())}) {
+    for (const Tolerance& tolerance : {kEverywhereAlike, kOfDepthCamera, kOfDepthCamera.scaled(2.0)}) {
+      std::vector<std::uint32_t> labels;
+      labelPoints(cloud, items, tolerance, labels);
+      ASSERT_EQ(labels.size(), cloud.size());
+      std::size_t decided = 0;
+      for (std::size_t i = 0; i < cloud.size(); ++i) {
+        if (!cloud.valid(i)) {
+          ASSERT_EQ(labels[i], 0u) << i;
+          continue;
+        }
+        const auto label = labelOf(Vec3(cloud.x[i], cloud.y[i], cloud.z[i]), items, tolerance);
+        if (!label) continue;
+        ++decided;
+        ASSERT_EQ(labels[i], *label) << i;
+      }
+      EXPECT_GT(decided, 0.95 * cloud.valid_count * 16.0 / 17.0 - 260);
+      for (std::uint32_t k = 0; k <= items.size(); ++k) EXPECT_GT(std::count(labels.begin(), labels.end(), k), 100);
+    }
+  }
+}
+
+TEST(LabelPoints, OfNothingAreNone) {
+  std::vector<std::uint32_t> labels = {1, 2, 3};
+  labelPoints(Cloud(), detections(), kEverywhereAlike, labels);
+  EXPECT_TRUE(labels.empty());
+  labelPoints(cloudInOrder(), {}, kEverywhereAlike, labels);
+  EXPECT_EQ(std::count(labels.begin(), labels.end(), 0u), static_cast<std::ptrdiff_t>(labels.size()));
+}
+
+}  // namespace
+}  // namespace primitect

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The loops over points of a cloud, of every instruction set that this machine has, against plain code.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/flat.h"
+#include "core/random.h"
+#include "kernels/loops.h"
+
+namespace primitect::kernels {
+extern const Loops loops_baseline;
+#if defined(__x86_64__)
+extern const Loops loops_avx2, loops_avx512;
+#endif
+
+namespace {
+
+std::vector<const Loops*> tables() {
+  std::vector<const Loops*> found = {&loops_baseline};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) found.push_back(&loops_avx2);
+  // What is chosen is what the machine can run.
+  if (&loops() == &loops_avx512) found.push_back(&loops_avx512);
+#endif
+  return found;
+}
+
+const std::vector<Shape> kShapes = {Plane{Vec3(0.1, 0, 1), Vec3(0, 0.6, -0.8)}, Sphere{Vec3(0, 0.1, 1), 0.3},
+                                    Cylinder{Vec3(0, 0, 1.1), Vec3(0.6, 0, 0.8), 0.2},
+                                    Cone{Vec3(0.1, 0, 0.9), Vec3(0, 0.8, 0.6), 0.4}};
+
+struct Points {
+  std::vector<float> x, y, z;
+  explicit Points(std::size_t count) {
+    Random random(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      x.push_back(static_cast<float>(random.uniform(-0.5, 0.5)));
+      y.push_back(static_cast<float>(random.uniform(-0.5, 0.5)));
+      z.push_back(static_cast<float>(random.uniform(0.5, 1.5)));
+    }
+  }
+  Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+// Odd lengths, shorter and longer than vectors are.
+constexpr std::size_t kCounts[] = {1, 15, 16, 31, 64, 200};
+constexpr double kRounding = 1e-6;  // m; float holds 1 m to 1e-7
+
+TEST(Feet, AreDistancesAndNormalsOfTheSurface) {
+  for (const Loops* table : tables()) {
+    for (const Shape& shape : kShapes) {
+      for (const std::size_t count : kCounts) {
+        const Points p(count);
+        std::vector<float> distance(count), nx(count), ny(count), nz(count);
+        table->feet(flattened(shape, Vec3::Zero()), p.x.data(), p.y.data(), p.z.data(), count,
+                    {distance.data(), nx.data(), ny.data(), nz.data()});
+        for (std::size_t i = 0; i < count; ++i) {
+          ASSERT_NEAR(distance[i], primitect::distance(shape, p.at(i)), kRounding) << table->name << " " << i;
+          // A thousand times nearer to an axis than 1 m, normals are known a thousand times worse.
+          ASSERT_LT((Vec3(nx[i], ny[i], nz[i]) - normalAt(shape, p.at(i))).norm(), 1e3 * kRounding) << table->name;
+        }
+      }
+    }
+  }
+}
+
+TEST(Feet, OnAnAxisOrACentreHaveNoNormal) {
+  for (const Loops* table : tables()) {
+    for (const Shape& shape : {Shape(Sphere{Vec3(0, 0, 1), 0.1}), Shape(Cylinder{Vec3(0, 0, 1), Vec3(0, 1, 0), 0.1}),
+                               Shape(Cone{Vec3(0, 0, 1), Vec3(0, 1, 0), 0.3})}) {
+      const float x = 0.0f, z = 1.0f;
+      float distance, nx, ny, nz;
+      table->feet(flattened(shape, Vec3::Zero()), &x, &x, &z, 1, {&distance, &nx, &ny, &nz});
+      EXPECT_TRUE(std::isfinite(distance) && std::isfinite(nx) && std::isfinite(ny) && std::isfinite(nz));
+      EXPECT_LE(Vec3(nx, ny, nz).norm(), 1.0 + kRounding);
+    }
+  }
+}
+
+TEST(Balls, HoldTheirPointsAndLeaveOutMissingOnes) {
+  constexpr std::size_t kSize = 64;
+  for (const Loops* table : tables()) {
+    for (const std::size_t count : {std::size_t{1}, std::size_t{64}, std::size_t{150}, std::size_t{331}}) {
+      Points p(count);
+      for (std::size_t i = 0; i < count; i += 5) p.x[i] = p.y[i] = p.z[i] = std::nanf("");
+      for (std::size_t i = 64; i < 128 && i < count; ++i) p.x[i] = p.y[i] = p.z[i] = std::nanf("");
+      const std::size_t runs = (count + kSize - 1) / kSize;
+      std::vector<float> x(runs), y(runs), z(runs), radius(runs);
+      table->balls(p.x.data(), p.y.data(), p.z.data(), count, kSize, {x.data(), y.data(), z.data(), radius.data()});
+      for (std::size_t k = 0; k < runs; ++k) EXPECT_EQ(radius[k] < 0.0f, k == 1 || count == 1) << count << " " << k;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (std::isnan(p.x[i])) continue;
+        const std::size_t k = i / kSize;
+        EXPECT_LE((p.at(i) - Vec3(x[k], y[k], z[k])).norm(), radius[k] + kRounding);
+        EXPECT_LT(radius[k], 0.88);  // half the diagonal of what the points lie in
+      }
+    }
+  }
+}
+
+TEST(Depths, AreThoseOfTheNearestSide) {
+  const std::vector<FlatSide> sides = {{1, 0, 0, -0.2f}, {0, -1, 0, -0.3f}, {0.6f, 0, 0.8f, 0.5f}};
+  for (const Loops* table : tables()) {
+    for (const std::size_t count : kCounts) {
+      const Points p(count);
+      std::vector<float> depth(count);
+      table->depths({sides.data(), sides.size()}, p.x.data(), p.y.data(), p.z.data(), count, depth.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        const double expected = std::min({p.x[i] + 0.2, 0.3 - p.y[i], 0.6 * p.x[i] + 0.8 * p.z[i] - 0.5});
+        ASSERT_NEAR(depth[i], expected, kRounding) << table->name;
+      }
+      table->depths({nullptr, 0}, p.x.data(), p.y.data(), p.z.data(), count, depth.data());
+      for (const float d : depth) ASSERT_EQ(d, std::numeric_limits<float>::infinity());
+    }
+  }
+}
+
+TEST(Around, SumsWhatIsWithinReach) {
+  constexpr std::size_t kCount = 10 * kLanes;
+  const Points p(kCount);
+  std::vector<float> weight(kCount);
+  for (std::size_t i = 0; i < kCount; ++i) weight[i] = i % 7 == 0 ? 0.0f : 1.0f + 0.1f * static_cast<float>(i % 3);
+  const Vec3 probe(0.1, -0.1, 1.0);
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if ((p.at(i) - probe).squaredNorm() >= 0.16) continue;
+    sum += weight[i] * (p.at(i) - probe);
+    total += weight[i];
+  }
+  ASSERT_GT(total, 10.0);
+  for (const Loops* table : tables()) {
+    const FlatAround found =
+        table->around({0.1f, -0.1f, 1.0f, 0.16f}, p.x.data(), p.y.data(), p.z.data(), weight.data(), kCount);
+    EXPECT_LT((Vec3(found.x, found.y, found.z) - sum).norm(), 1e2 * kRounding) << table->name;
+    EXPECT_NEAR(found.weight, total, 1e2 * kRounding) << table->name;
+  }
+}
+
+TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
+  const Points p(200);
+  for (const Shape& shape : kShapes) {
+    std::vector<std::vector<float>> results;
+    for (const Loops* table : tables()) {
+      std::vector<float> all(800), ball(16);
+      table->feet(flattened(shape, Vec3::Zero()), p.x.data(), p.y.data(), p.z.data(), 200,
+                  {&all[0], &all[200], &all[400], &all[600]});
+      table->balls(p.x.data(), p.y.data(), p.z.data(), 200, 64, {&ball[0], &ball[4], &ball[8], &ball[12]});
+      all.insert(all.end(), ball.begin(), ball.end());
+      table->tolerances({0.001f, 0.002f, 0.4f, 0.001f}, p.z.data(), 200, &all[0]);
+      results.push_back(all);
+      EXPECT_EQ(results.front(), results.back()) << table->name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace primitect::kernels
