@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "core/covariance.h"
-#include "core/evenly.h"
+#include "core/noise.h"
+#include "core/residuals.h"
 
 namespace primitect {
 namespace {
@@ -19,7 +20,7 @@ struct Cell {
 };
 
 struct Member {
-  Vec3 place;  ///< on the surface: a cell must not collect the points of one side
+  Vec3 place;  ///< on the surface, from any origin: a cell must not collect the points of one side
   double psi;  ///< Tukey's biweight of the residual
 };
 
@@ -48,19 +49,23 @@ std::vector<Cell> cellsOf(const std::vector<Member>& members) {
 
 }  // namespace
 
-double measureSharedNoise(const Shape& shape, const std::vector<Vec3>& inliers,
+double measureSharedNoise(const Shape& shape, const SeenPoints& inliers,
                           const std::function<double(const Vec3&)>& sigma) {
-  constexpr std::size_t kMostPoints = 4093;
+  constexpr std::size_t kMostPoints = 2039;
+  const SomePoints<kMostPoints> points(inliers);
+  const auto feet = Feet<SomePoints<kMostPoints>::kRoom>(shape, points);
   std::vector<Member> members;
+  members.reserve(points.count);
   double total = 0.0;
-  const double share = forEvenly(inliers, kMostPoints, [&](const Vec3& p) {
-    const double away = distance(shape, p);
-    const double share_of_limit = away / (kFitDeviations * sigma(p));
-    if (!(std::abs(share_of_limit) < 1.0)) return;
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const double away = feet.distance[k];
+    const double share_of_limit = away / (kInlierDeviations * sigma(points.point(k)));
+    if (!(std::abs(share_of_limit) < 1.0)) continue;
     const double root = 1.0 - share_of_limit * share_of_limit;
-    members.push_back({p - away * normalAt(shape, p), share_of_limit * root * root});
+    const Vec3 normal(feet.nx[k], feet.ny[k], feet.nz[k]), place(points.x[k], points.y[k], points.z[k]);
+    members.push_back({place - away * normal, share_of_limit * root * root});
     total += members.back().psi * members.back().psi;
-  });
+  }
   if (members.empty() || !(total > 0.0)) return 1.0;
   double sums_sq = 0.0, counts_sq = 0.0;
   for (const Cell& cell : cellsOf(members)) {
@@ -75,7 +80,7 @@ double measureSharedNoise(const Shape& shape, const std::vector<Vec3>& inliers,
   const double chance = 2.0 * std::sqrt(2.0 / freedom);
   if (!(growth > 1.0 + chance)) return 1.0;
   // Of all points, that many times more lie within reach of each other.
-  return 1.0 + (growth - 1.0) / share;
+  return 1.0 + (growth - 1.0) / points.share;
 }
 
 }  // namespace primitect

@@ -33,8 +33,8 @@ inline Status statusOf(const Cloud& cloud) {
 }
 
 inline Detection describe(const Segment& segment, const Samples& samples) {
-  std::vector<Vec3> inliers;
-  for (const std::uint32_t i : segment.inliers) inliers.push_back(samples.point(i));
+  SeenPoints inliers;
+  inliers.gather(samples, segment.inliers);
   Detection detection;
   detection.shape = canonical(segment.candidate.shape);
   detection.concave = segment.candidate.concave;

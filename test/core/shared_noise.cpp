@@ -38,7 +38,7 @@ Fit fitWithSharedNoise(const Patch& patch, double edge, Random& random) {
   const Samples samples = test::samplesOf(points);
   std::vector<std::uint32_t> all(samples.size());
   std::iota(all.begin(), all.end(), 0u);
-  Fit fit{*refine(patch.truth, {samples, all}, [](const Vec3&) { return kFitDeviations * kNoise; }), {}};
+  Fit fit{*refine(patch.truth, {samples, all}, [](const Vec3&) { return kInlierDeviations * kNoise; }), {}};
   for (const test::SurfacePoint& p : points) fit.points.push_back(p.point);
   return fit;
 }

@@ -108,7 +108,7 @@ struct NoisyFit {
     const Samples samples = samplesOf(points);
     std::vector<std::uint32_t> all(samples.size());
     std::iota(all.begin(), all.end(), 0u);
-    shape = refine(patch.truth, {samples, all}, [&](const Vec3&) { return kFitDeviations * sigma; });
+    shape = refine(patch.truth, {samples, all}, [&](const Vec3&) { return kInlierDeviations * sigma; });
   }
 
   std::function<double(const Vec3&)> noise(double scale = 1.0) const {
