@@ -117,16 +117,27 @@ struct Outline {
   }
 };
 
-/// Points all over the outline, evenly spread (R2 sequence).
-std::vector<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+/// Places all over a square of 1, evenly spread (R2 sequence).
+std::vector<Vec2> spreadPlaces(std::size_t count) {
   constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
+  std::vector<Vec2> places;
+  for (std::size_t k = 1; k <= count; ++k) {
+    const auto along = static_cast<double>(k);
+    places.push_back({std::fmod(kStepX * along, 1.0) - 0.5, std::fmod(kStepY * along, 1.0) - 0.5});
+  }
+  return places;
+}
+
+/// Points all over the outline.
+std::vector<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+  constexpr std::size_t kMostTimes = 10;
+  static const std::vector<Vec2> kPlaces = spreadPlaces(kMostTimes * kProbes);
   const double box = extent.size.x() * extent.size.y();
-  const auto draws = static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, 10.0));
+  const auto draws =
+      static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, static_cast<double>(kMostTimes)));
   std::vector<Vec2> probes;
-  for (std::size_t k = 1; k <= draws; ++k) {
-    const double x = std::fmod(kStepX * static_cast<double>(k), 1.0) - 0.5;
-    const double y = std::fmod(kStepY * static_cast<double>(k), 1.0) - 0.5;
-    const Vec2 probe(x * extent.size.x(), y * extent.size.y());
+  for (std::size_t k = 0; k < draws; ++k) {
+    const Vec2 probe = kPlaces[k].cwiseProduct(extent.size.head<2>());
     if (outline.contains(probe)) probes.push_back(probe);
   }
   return probes;

@@ -213,8 +213,9 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
   const Vec3 foot = inliers.origin - distance(plane, inliers.origin) * plane.normal;
   extent.origin = foot + extent.rotation.leftCols<2>() * (0.5 * (low + high));
   extent.size.head<2>() = high - low;
-  constexpr double kRounding = 1e-6;  // of the size: in float, corners of an edge do not lie on a line
-  for (const Vec2& corner : convexHull(border, kRounding * extent.size.norm())) {
+  // A millimetre of a metre: less than the noise at a border, and half the corners.
+  constexpr double kFlat = 1e-3;
+  for (const Vec2& corner : convexHull(border, kFlat * extent.size.norm())) {
     extent.hull.push_back(foot + extent.rotation.leftCols<2>() * corner);
   }
   return extent;
