@@ -31,10 +31,10 @@ struct Noise {
   float sigma[kRoom], weight[kRoom];
 };
 
-Noise noiseOf(const Points& points, const Feet<kRoom>& feet, const std::function<double(const Vec3&)>& sigma) {
+Noise noiseOf(const Points& points, const Feet<kRoom>& feet, const PointNoise& sigma) {
   Noise noise;
+  sigma.at(points, noise.sigma);
   for (std::size_t k = 0; k < points.count; ++k) {
-    noise.sigma[k] = static_cast<float>(sigma(points.point(k)));
     const bool within = std::abs(feet.distance[k]) < static_cast<float>(kInlierDeviations) * noise.sigma[k];
     noise.weight[k] = within ? 1.0f / noise.sigma[k] : 0.0f;
   }
@@ -96,8 +96,7 @@ void addAllAxes(const Shape& shape, const Points& points, const Feet<kRoom>& fee
   for (std::size_t k = 0; k < points.count; ++k) sums.expected += noise.weight[k] > 0.0f ? 1.0 : 0.0;
 }
 
-Sums sumsOf(const Shape& shape, const Points& points, const std::function<double(const Vec3&)>& sigma,
-            NoiseDirection direction) {
+Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma, NoiseDirection direction) {
   const Feet<kRoom> feet(shape, points);
   const Noise noise = noiseOf(points, feet, sigma);
   const FlatGradients<kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet, points.count);
@@ -128,8 +127,7 @@ T corrected(const T& shape, Sums sums) {
 
 }  // namespace
 
-Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const std::function<double(const Vec3&)>& sigma,
-                  NoiseDirection direction) {
+Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, NoiseDirection direction) {
   const Sums sums = sumsOf(shape, Points(inliers), sigma, direction);
   return std::visit([&sums](const auto& s) -> Shape { return corrected(s, sums); }, shape);
 }

@@ -28,19 +28,20 @@ struct Sums {
 constexpr std::size_t kMostPoints = 1021;
 using Points = SomePoints<kMostPoints>;
 
-Sums sumsOf(const Shape& shape, const Points& points, const std::function<double(const Vec3&)>& sigma) {
+Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma) {
   const Feet<Points::kRoom> feet(shape, points);
   Sums sums;
-  float inverse[Points::kRoom], score[Points::kRoom];
+  float one[Points::kRoom], inverse[Points::kRoom], score[Points::kRoom];
+  sigma.at(points, one);
   for (std::size_t k = 0; k < points.count; ++k) {
-    const double one = sigma(points.point(k)), u = feet.distance[k] / one;
-    const double share_sq = u * u / (kInlierDeviations * kInlierDeviations);
-    inverse[k] = score[k] = 0.0f;
-    if (!(share_sq < 1.0)) continue;
-    const double psi = u * (1.0 - share_sq) * (1.0 - share_sq);
-    const double slope = (1.0 - share_sq) * (1.0 - 5.0 * share_sq);
-    inverse[k] = static_cast<float>(1.0 / one);
-    score[k] = static_cast<float>(psi / one);
+    const float weight = 1.0f / one[k], u = feet.distance[k] * weight;
+    const float share_sq = u * u / static_cast<float>(kInlierDeviations * kInlierDeviations);
+    const bool within = share_sq < 1.0f;
+    const float rest = within ? 1.0f - share_sq : 0.0f;
+    const float psi = u * rest * rest, slope = rest * (1.0f - 5.0f * share_sq);
+    inverse[k] = within ? weight : 0.0f;
+    score[k] = within ? psi * weight : 0.0f;
+    if (!within) continue;
     sums.count += 1.0;
     sums.psi_sq += psi * psi;
     sums.slope += slope;
@@ -181,8 +182,7 @@ Published publish(const Cone& cone, const Extent& extent) {
 
 }  // namespace
 
-Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers,
-                          const std::function<double(const Vec3&)>& sigma, double shared_noise) {
+Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, double shared_noise) {
   const Points points(inliers);
   const int parameters = parameterCount(kindOf(shape));
   const Hessian covariance = points.share * shared_noise * covarianceOf(sumsOf(shape, points, sigma), parameters);
@@ -190,7 +190,7 @@ Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers,
 }
 
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const std::function<double(const Vec3&)>& sigma, double shared_noise) {
+                               const PointNoise& sigma, double shared_noise) {
   const Hessian local = measureCovariance(shape, inliers, sigma, shared_noise);
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   const Hessian observed = published.jacobian * local * published.jacobian.transpose();

@@ -4,9 +4,8 @@
 #pragma once
 
 #include <array>
-#include <functional>
 
-#include "core/noise.h"
+#include "core/point_noise.h"
 #include "core/residuals.h"
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
@@ -30,13 +29,13 @@ struct Uncertainty {
 /// the points compare. Points beyond the tolerance do not count. shared_noise: how many points share one deviation, as
 /// neighbours of a depth camera do; 1 = all are independent.
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers,
-                          const std::function<double(const Vec3&)>& sigma, double shared_noise = 1.0);
+                          const PointNoise& sigma, double shared_noise = 1.0);
 
 /// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
 /// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a
 /// cone is taken as fixed to it, at its height above the apex: along the axis it is as uncertain as the apex. The
 /// radius of a cone is that where its wide end was seen.
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const std::function<double(const Vec3&)>& sigma, double shared_noise = 1.0);
+                               const PointNoise& sigma, double shared_noise = 1.0);
 
 }  // namespace primitect

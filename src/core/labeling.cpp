@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/flat.h"
+#include "core/point_noise.h"
 
 namespace primitect {
 namespace {
@@ -17,15 +18,6 @@ constexpr std::size_t kRun = 64;
 constexpr std::size_t kRunsAtOnce = 16;
 /// So that no point of a ball is left out.
 constexpr float kRounding = 1.001f;
-
-/// At every depth.
-kernels::FlatTolerance flattened(const Tolerance& tolerance) {
-  const NoiseModel& noise = tolerance.noise;
-  const auto scaled = [&tolerance](double value) { return static_cast<float>(tolerance.deviations * value); };
-  const auto nearest = static_cast<float>(kAxialNearest);
-  if (noise.depth_share <= 0.0) return {scaled(noise.distance), 0.0f, nearest, 0.0f};
-  return {scaled(kAxialLeast), scaled(kAxialGrowth), nearest, scaled(noise.depth_share)};
-}
 
 }  // namespace
 
@@ -98,7 +90,7 @@ void Labeling::labelRuns(std::size_t first, std::size_t last, const kernels::Fla
 void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance,
                      std::vector<std::uint32_t>& labels) {
   const std::size_t runs = x_.size();
-  const kernels::FlatTolerance flat = flattened(tolerance);
+  const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   labels.resize(cloud_->size());
   findAllowed(flat);
   targets_.clear();

@@ -19,11 +19,7 @@ DepthRange rangeOf(const Params& params) {
 }  // namespace
 
 Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
-    : cloud_(cloud),
-      noise_(noise),
-      limits_(limits),
-      sigma_([noise](const Vec3& p) { return noise.at(p); }),
-      truncation_(cloud, rangeOf(params), sigma_) {}
+    : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape, const Samples& samples, const SeenPoints& points) const {
   const Shape fit = refineOnPoints(shape, samples, noise_, limits_);

@@ -3,11 +3,10 @@
 // The final numbers of a detection, measured on the points of the cloud: fit, extent, covariance, what was not seen.
 #pragma once
 
-#include <functional>
-
 #include "core/competition.h"
 #include "core/dense_fit.h"
 #include "core/noise.h"
+#include "core/point_noise.h"
 #include "core/seen_points.h"
 #include "core/truncation.h"
 #include "primitect/cloud.h"
@@ -30,7 +29,7 @@ class Measurement {
   const Cloud& cloud_;
   NoiseModel noise_;
   Limits limits_;
-  std::function<double(const Vec3&)> sigma_;
+  PointNoise sigma_;
   TruncationFinder truncation_;
 };
 

@@ -29,12 +29,14 @@ struct Members {
   float psi[kMost];
 };
 
-void findMembers(const Shape& shape, const SomePoints<Members::kMost>& points,
-                 const std::function<double(const Vec3&)>& sigma, Members& members) {
+void findMembers(const Shape& shape, const SomePoints<Members::kMost>& points, const PointNoise& sigma,
+                 Members& members) {
   const auto feet = Feet<SomePoints<Members::kMost>::kRoom>(shape, points);
+  float one[SomePoints<Members::kMost>::kRoom];
+  sigma.at(points, one);
   for (std::size_t k = 0; k < points.count; ++k) {
     const float away = feet.distance[k];
-    const float share = away / static_cast<float>(kInlierDeviations * sigma(points.point(k)));
+    const float share = away / (static_cast<float>(kInlierDeviations) * one[k]);
     if (!(std::abs(share) < 1.0f)) continue;
     const float root = 1.0f - share * share, psi = share * root * root;
     const std::size_t at = members.count++;
@@ -74,8 +76,7 @@ std::vector<Cell> cellsOf(const Members& members) {
 
 }  // namespace
 
-double measureSharedNoise(const Shape& shape, const SeenPoints& inliers,
-                          const std::function<double(const Vec3&)>& sigma) {
+double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
   const SomePoints<Members::kMost> points(inliers);
   Members members;
   findMembers(shape, points, sigma, members);

@@ -3,8 +3,8 @@
 // Whether neighbouring points err alike, as those of real depth cameras do.
 #pragma once
 
-#include <functional>
 
+#include "core/point_noise.h"
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
 
@@ -15,6 +15,6 @@ namespace primitect {
 /// which grow like the square root of the number of points only where the noise is independent; 1 unless chance is
 /// ruled out. What is shared over larger parts of the surface goes into the fit and cannot be seen.
 double measureSharedNoise(const Shape& shape, const SeenPoints& inliers,
-                          const std::function<double(const Vec3&)>& sigma);
+                          const PointNoise& sigma);
 
 }  // namespace primitect

@@ -84,8 +84,7 @@ std::optional<double> depthOn(const T& shape, const Vec3& ray, double depth) {
 template <class T>
 class Walk {
  public:
-  Walk(const Cloud& cloud, const ImageRays& rays, const DepthRange& range,
-       const std::function<double(const Vec3&)>& sigma, const T& shape)
+  Walk(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, const PointNoise& sigma, const T& shape)
       : cloud_(cloud), rays_(rays), range_(range), sigma_(sigma), shape_(shape) {}
 
   /// The bit of what ends the surface in this direction; 0 when it ends on its own, or nobody knows why.
@@ -149,7 +148,7 @@ class Walk {
   const Cloud& cloud_;
   const ImageRays& rays_;
   const DepthRange& range_;
-  const std::function<double(const Vec3&)>& sigma_;
+  const PointNoise& sigma_;
   const T& shape_;
   double depth_ = 0.0;       ///< of the surface here
   double last_depth_ = 0.0;  ///< where a point was last seen on it
@@ -224,8 +223,7 @@ std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const std::ve
 
 }  // namespace
 
-TruncationFinder::TruncationFinder(const Cloud& cloud, const DepthRange& range,
-                                   std::function<double(const Vec3&)> sigma)
+TruncationFinder::TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma)
     : cloud_(cloud), rays_(findRays(cloud)), range_(range), sigma_(std::move(sigma)) {}
 
 std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
