@@ -7,12 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/covariance.h"
-#include "core/evenly.h"
-#include "core/residuals.h"
+#include "core/flat_gradients.h"
+#include "core/noise.h"
 
 namespace primitect {
 namespace {
+
+/// The correction is a mean: with more points it would be the same.
+constexpr std::size_t kMostPoints = 1021;
+using Points = SomePoints<kMostPoints>;
+constexpr std::size_t kRoom = Points::kRoom;
 
 /// Sums over the points that took part in the fit.
 struct Sums {
@@ -22,31 +26,89 @@ struct Sums {
   double expected = 0.0;                  ///< the same, as sigma has it
 };
 
-/// E[r g] of noise along an offset of one standard deviation (m) that is symmetric around the surface.
-template <class T>
-Gradient meanProduct(const T& shape, const Vec3& on_surface, const Vec3& offset) {
-  const Residual above = residual(shape, on_surface + offset);
-  const Residual below = residual(shape, on_surface - offset);
-  return 0.5 * (above.distance * above.gradient + below.distance * below.gradient);
+/// Offsets (m) of one standard deviation, and 1 / sigma for the points that took part, else 0.
+struct Noise {
+  float sigma[kRoom], weight[kRoom];
+};
+
+Noise noiseOf(const Points& points, const Feet<kRoom>& feet, const PointNoise& sigma) {
+  Noise noise;
+  sigma.at(points, noise.sigma);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const bool within = std::abs(feet.distance[k]) < static_cast<float>(kInlierDeviations) * noise.sigma[k];
+    noise.weight[k] = within ? 1.0f / noise.sigma[k] : 0.0f;
+  }
+  return noise;
 }
 
-template <class T>
-void add(const T& shape, const Vec3& p, double sigma, NoiseDirection direction, Sums& sums) {
-  const Residual r = residual(shape, p);
-  if (!(std::abs(r.distance) < kFitDeviations * sigma)) return;
-  const Vec3 normal = normalAt(shape, p);
-  const Vec3 on_surface = p - r.distance * normal;
-  const double weight = 1.0 / (sigma * sigma);
-  sums.information += weight * r.gradient * r.gradient.transpose();
-  sums.measured += weight * r.distance * r.distance;
-  if (direction == NoiseDirection::along_ray) {
-    const Vec3 ray = p / p.z();
-    sums.bias += weight * meanProduct(shape, on_surface, sigma * ray);
-    sums.expected += ray.dot(normal) * ray.dot(normal);
-    return;
+/// Adds half of r g / sigma^2 at the points moved so far (m) from the surface.
+void addBias(const Shape& shape, const Points& points, const Noise& noise, float* const* place, Sums& sums) {
+  // Not for what fills up: of these nothing is asked.
+  const Feet<kRoom> feet(shape, points.origin, place[0], place[1], place[2], points.count);
+  const FlatGradients<kRoom> gradients(shape, points.origin, place[0], place[1], place[2], feet, points.count);
+  float weighted[kRoom];
+  for (std::size_t k = 0; k < points.count; ++k) {
+    weighted[k] = 0.5f * feet.distance[k] * noise.weight[k] * noise.weight[k];
   }
-  for (int axis = 0; axis < 3; ++axis) sums.bias += weight * meanProduct(shape, on_surface, sigma * Vec3::Unit(axis));
-  sums.expected += 1.0;
+  for (int r = 0; r < gradients.rows; ++r) {
+    sums.bias[r] += sumOfProducts(weighted, gradients.row[r], points.count);
+  }
+}
+
+/// The mean of r g for noise that is symmetric around the surface: from a standard deviation above and below.
+void addBothSides(const Shape& shape, const Points& points, const Feet<kRoom>& feet, const Noise& noise,
+                  const float* const* direction, Sums& sums) {
+  float x[kRoom], y[kRoom], z[kRoom];
+  float* const place[] = {x, y, z};
+  for (const float side : {1.0f, -1.0f}) {
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const float step = side * noise.sigma[k];
+      x[k] = points.x[k] - feet.distance[k] * feet.nx[k] + step * direction[0][k];
+      y[k] = points.y[k] - feet.distance[k] * feet.ny[k] + step * direction[1][k];
+      z[k] = points.z[k] - feet.distance[k] * feet.nz[k] + step * direction[2][k];
+    }
+    addBias(shape, points, noise, place, sums);
+  }
+}
+
+/// Of a camera: along p / p.z.
+void addAlongRays(const Shape& shape, const Points& points, const Feet<kRoom>& feet, const Noise& noise, Sums& sums) {
+  float x[kRoom], y[kRoom], z[kRoom];
+  const Eigen::Vector3f origin = points.origin.cast<float>();
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const float depth = origin.z() + points.z[k];
+    x[k] = (origin.x() + points.x[k]) / depth, y[k] = (origin.y() + points.y[k]) / depth, z[k] = 1.0f;
+    const float across = x[k] * feet.nx[k] + y[k] * feet.ny[k] + z[k] * feet.nz[k];
+    if (noise.weight[k] > 0.0f) sums.expected += across * across;
+  }
+  const float* const ray[] = {x, y, z};
+  addBothSides(shape, points, feet, noise, ray, sums);
+}
+
+void addAllAxes(const Shape& shape, const Points& points, const Feet<kRoom>& feet, const Noise& noise, Sums& sums) {
+  float one[kRoom], none[kRoom];
+  std::fill_n(one, points.count, 1.0f);
+  std::fill_n(none, points.count, 0.0f);
+  for (int axis = 0; axis < 3; ++axis) {
+    const float* const direction[] = {axis == 0 ? one : none, axis == 1 ? one : none, axis == 2 ? one : none};
+    addBothSides(shape, points, feet, noise, direction, sums);
+  }
+  for (std::size_t k = 0; k < points.count; ++k) sums.expected += noise.weight[k] > 0.0f ? 1.0 : 0.0;
+}
+
+Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma, NoiseDirection direction) {
+  const Feet<kRoom> feet(shape, points);
+  const Noise noise = noiseOf(points, feet, sigma);
+  const FlatGradients<kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet, points.count);
+  Sums sums;
+  sums.information = sumOfSquares(gradients, noise.weight, points.count);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const float share = feet.distance[k] * noise.weight[k];
+    sums.measured += share * share;
+  }
+  direction == NoiseDirection::along_ray ? addAlongRays(shape, points, feet, noise, sums)
+                                         : addAllAxes(shape, points, feet, noise, sums);
+  return sums;
 }
 
 bool usable(const Plane& plane) { return plane.point.allFinite() && plane.normal.allFinite(); }
@@ -65,17 +127,9 @@ T corrected(const T& shape, Sums sums) {
 
 }  // namespace
 
-Shape withoutBias(const Shape& shape, const std::vector<Vec3>& inliers, const std::function<double(const Vec3&)>& sigma,
-                  NoiseDirection direction) {
-  return std::visit(
-      [&](const auto& s) -> Shape {
-        Sums sums;
-        // The correction is a mean: with more points it would be the same.
-        constexpr std::size_t kMostPoints = 1021;
-        forEvenly(inliers, kMostPoints, [&](const Vec3& p) { add(s, p, sigma(p), direction, sums); });
-        return corrected(s, sums);
-      },
-      shape);
+Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, NoiseDirection direction) {
+  const Sums sums = sumsOf(shape, Points(inliers), sigma, direction);
+  return std::visit([&sums](const auto& s) -> Shape { return corrected(s, sums); }, shape);
 }
 
 }  // namespace primitect

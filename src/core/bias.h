@@ -3,9 +3,9 @@
 // What noise across the distance does to a fit: curved surfaces come out too large, slanted ones tilted.
 #pragma once
 
-#include <functional>
-#include <vector>
 
+#include "core/point_noise.h"
+#include "core/seen_points.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
@@ -22,7 +22,7 @@ enum class NoiseDirection {
 /// in the noise, and matter once thousands of points have averaged the first order away.
 /// sigma(p): m, standard deviation along the ray, or of each axis; its scale is taken from the residuals.
 /// Returns the shape as it is where points or noise do not allow a finite correction.
-Shape withoutBias(const Shape& shape, const std::vector<Vec3>& inliers, const std::function<double(const Vec3&)>& sigma,
+Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
                   NoiseDirection direction);
 
 }  // namespace primitect

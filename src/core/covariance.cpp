@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/evenly.h"
+#include "core/flat_gradients.h"
 
 namespace primitect {
 namespace {
@@ -24,20 +24,33 @@ struct Sums {
   double slope_sq = 0.0;                  ///< of psi'^2
 };
 
-void add(const Residual& r, double sigma, Sums& sums) {
-  const double u = r.distance / sigma;
-  const double share_sq = u * u / (kFitDeviations * kFitDeviations);
-  if (!(share_sq < 1.0)) return;
-  const double psi = u * (1.0 - share_sq) * (1.0 - share_sq);
-  const double slope = (1.0 - share_sq) * (1.0 - 5.0 * share_sq);
-  const Gradient scaled = r.gradient / sigma;
-  const Hessian product = scaled * scaled.transpose();
-  sums.count += 1.0;
-  sums.information += product;
-  sums.scores += psi * psi * product;
-  sums.psi_sq += psi * psi;
-  sums.slope += slope;
-  sums.slope_sq += slope * slope;
+/// A mean over more points would differ by less than its own scatter: 5 %.
+constexpr std::size_t kMostPoints = 1021;
+using Points = SomePoints<kMostPoints>;
+
+Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma) {
+  const Feet<Points::kRoom> feet(shape, points);
+  Sums sums;
+  float one[Points::kRoom], inverse[Points::kRoom], score[Points::kRoom];
+  sigma.at(points, one);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const float weight = 1.0f / one[k], u = feet.distance[k] * weight;
+    const float share_sq = u * u / static_cast<float>(kInlierDeviations * kInlierDeviations);
+    const bool within = share_sq < 1.0f;
+    const float rest = within ? 1.0f - share_sq : 0.0f;
+    const float psi = u * rest * rest, slope = rest * (1.0f - 5.0f * share_sq);
+    inverse[k] = within ? weight : 0.0f;
+    score[k] = within ? psi * weight : 0.0f;
+    if (!within) continue;
+    sums.count += 1.0;
+    sums.psi_sq += psi * psi;
+    sums.slope += slope;
+    sums.slope_sq += slope * slope;
+  }
+  const FlatGradients<Points::kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet, points.count);
+  sums.information = sumOfSquares(gradients, inverse, points.count);
+  sums.scores = sumOfSquares(gradients, score, points.count);
+  return sums;
 }
 
 /// Directions in which points tell something, and the others; of a matrix of mixed units, scaled to a diagonal of ones.
@@ -169,23 +182,15 @@ Published publish(const Cone& cone, const Extent& extent) {
 
 }  // namespace
 
-Hessian measureCovariance(const Shape& shape, const std::vector<Vec3>& inliers,
-                          const std::function<double(const Vec3&)>& sigma, double shared_noise) {
-  // A mean over more points would differ by less than its own scatter: 5 %.
-  constexpr std::size_t kMostPoints = 1021;
-  Sums sums;
-  const double share = std::visit(
-      [&](const auto& s) {
-        return forEvenly(inliers, kMostPoints, [&](const Vec3& p) { add(residual(s, p), sigma(p), sums); });
-      },
-      shape);
+Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, double shared_noise) {
+  const Points points(inliers);
   const int parameters = parameterCount(kindOf(shape));
-  const Hessian covariance = share * shared_noise * covarianceOf(sums, parameters);
+  const Hessian covariance = points.share * shared_noise * covarianceOf(sumsOf(shape, points, sigma), parameters);
   return capped(covariance.allFinite() ? covariance : unknown(parameters));
 }
 
-Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const std::vector<Vec3>& inliers,
-                               const std::function<double(const Vec3&)>& sigma, double shared_noise) {
+Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
+                               const PointNoise& sigma, double shared_noise) {
   const Hessian local = measureCovariance(shape, inliers, sigma, shared_noise);
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   const Hessian observed = published.jacobian * local * published.jacobian.transpose();

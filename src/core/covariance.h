@@ -4,16 +4,13 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <vector>
 
+#include "core/point_noise.h"
 #include "core/residuals.h"
+#include "core/seen_points.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// Of the final fit: its tolerance in standard deviations of the noise.
-constexpr double kFitDeviations = 3.0;
 
 /// Variance (m^2, rad^2) of what cannot be observed, and the largest that is reported.
 constexpr double kUnobservable = 1e6;
@@ -27,18 +24,18 @@ struct Uncertainty {
 };
 
 /// Covariance of the local parameters (residuals.h; m, rad) of a shape that refine() has fitted to these points with
-/// the tolerance kFitDeviations * sigma(p). Unused parameters have variance 0, those that the points do not determine
-/// at most kUnobservable. The scale of the noise is taken from the residuals: sigma(p) (m) need only tell how the
-/// points compare. Points beyond the tolerance do not count. shared_noise: how many points share one deviation, as
+/// the tolerance kInlierDeviations * sigma(p). Unused parameters have variance 0, those that the points do not
+/// determine at most kUnobservable. The scale of the noise is taken from the residuals: sigma(p) (m) need only tell how
+/// the points compare. Points beyond the tolerance do not count. shared_noise: how many points share one deviation, as
 /// neighbours of a depth camera do; 1 = all are independent.
-Hessian measureCovariance(const Shape& shape, const std::vector<Vec3>& inliers,
-                          const std::function<double(const Vec3&)>& sigma, double shared_noise = 1.0);
+Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers,
+                          const PointNoise& sigma, double shared_noise = 1.0);
 
 /// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
 /// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a
 /// cone is taken as fixed to it, at its height above the apex: along the axis it is as uncertain as the apex. The
 /// radius of a cone is that where its wide end was seen.
-Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const std::vector<Vec3>& inliers,
-                               const std::function<double(const Vec3&)>& sigma, double shared_noise = 1.0);
+Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
+                               const PointNoise& sigma, double shared_noise = 1.0);
 
 }  // namespace primitect

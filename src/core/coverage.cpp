@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
-#include "core/evenly.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 namespace {
@@ -19,61 +21,78 @@ constexpr std::size_t kMostInliers = 400;
 /// Inliers around a probe: enough that chance leaves no hole, see covered().
 constexpr double kNeighbors = 24.0;
 
-/// What lies around a probe: weighted sum of the offsets, and of the weights.
-template <class Vector>
-struct Around {
-  Vector sum = Vector::Zero();
-  double weight = 0.0;
+/// Places with weights, filled up to whole lanes with such that weigh nothing.
+struct Places {
+  std::vector<float> x, y, z, weight;
 
-  void add(const Vector& offset, double reach, double weight_here = 1.0) {
-    if (offset.squaredNorm() >= reach * reach) return;
-    sum += weight_here * offset;
-    weight += weight_here;
+  void add(const Eigen::Vector3f& place, float weight_here) {
+    x.push_back(place.x()), y.push_back(place.y()), z.push_back(place.z());
+    weight.push_back(weight_here);
   }
-  Vector mean() const { return sum / weight; }
+  void fillUp() {
+    while (x.size() % kernels::kLanes != 0) add(Eigen::Vector3f::Zero(), 0.0f);
+  }
+};
+
+/// What lies around a probe: weighted sum of the offsets, and of the weights.
+struct Around {
+  Eigen::Vector3f sum;
+  float weight;
+
+  Around(const Eigen::Vector3f& probe, float reach, const Places& places) {
+    const kernels::FlatProbe flat = {probe.x(), probe.y(), probe.z(), reach * reach};
+    const kernels::FlatAround around = kernels::loops().around(flat, places.x.data(), places.y.data(), places.z.data(),
+                                                               places.weight.data(), places.x.size());
+    sum = {around.x, around.y, around.z};
+    weight = around.weight;
+  }
+  Eigen::Vector3f mean() const { return sum / weight; }
 };
 
 /// The probe lies within what the inliers cover, not beside it. On a straight border they fill half of the disc, whose
 /// centroid is 4 / (3 pi) of the reach away from its middle; `expected` is the centroid of a disc full of inliers. With
 /// 12 inliers, which scatter by 0.5 / sqrt(12), 1.3 % of the probes in their midst are taken for uncovered, with 24
 /// none.
-template <class Vector>
-bool covered(const Around<Vector>& inliers, const Vector& expected, double reach) {
-  constexpr double kHalfDisc = 4.0 / (3.0 * M_PI);
-  return inliers.weight > 0.0 && (inliers.mean() - expected).norm() < kHalfDisc * reach;
+bool covered(const Around& inliers, const Eigen::Vector3f& expected, float reach) {
+  constexpr auto kHalfDisc = static_cast<float>(4.0 / (3.0 * M_PI));
+  return inliers.weight > 0.0f && (inliers.mean() - expected).norm() < kHalfDisc * reach;
 }
 
 /// Directions all over the sphere, evenly spread (spherical Fibonacci lattice).
-Vec3 probeDirection(std::size_t k) {
+std::vector<Eigen::Vector3f> probeDirections() {
   const double golden_angle = M_PI * (3.0 - std::sqrt(5.0));
-  const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / kProbes;
-  const double radius = std::sqrt(1.0 - z * z), angle = golden_angle * static_cast<double>(k);
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
+  std::vector<Eigen::Vector3f> directions;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / kProbes;
+    const double radius = std::sqrt(1.0 - z * z), angle = golden_angle * static_cast<double>(k);
+    directions.push_back(Vec3(radius * std::cos(angle), radius * std::sin(angle), z).cast<float>());
+  }
+  return directions;
 }
 
-double coverageOf(const Sphere& sphere, const Extent&, const std::vector<Vec3>& inliers) {
-  struct Inlier {
-    Vec3 direction;
-    double weight;
-  };
-  std::vector<Inlier> seen;
+double coverageOf(const Sphere& sphere, const Extent&, const SeenPoints& inliers) {
+  static const std::vector<Eigen::Vector3f> kDirections = probeDirections();
+  const SomePoints<kMostInliers> some(inliers);
+  const auto feet = Feet<SomePoints<kMostInliers>::kRoom>(sphere, some);
+  Places seen;
   // Towards the limb a camera's points are sparser on the surface.
-  constexpr double kLeastCosine = 0.2;
-  forEvenly(inliers, kMostInliers, [&](const Vec3& p) {
-    const Vec3 direction = normalAt(sphere, p);
-    seen.push_back({direction, 1.0 / std::max(std::abs(direction.dot(p.normalized())), kLeastCosine)});
-  });
+  constexpr float kLeastCosine = 0.2f;
+  for (std::size_t k = 0; k < some.count; ++k) {
+    const Eigen::Vector3f direction(feet.nx[k], feet.ny[k], feet.nz[k]);
+    const Eigen::Vector3f ray = some.point(k).cast<float>().normalized();
+    seen.add(direction, 1.0f / std::max(std::abs(direction.dot(ray)), kLeastCosine));
+  }
+  seen.fillUp();
   // A cap of this reach (rad) is reach^2 / 4 of the sphere. A sensor sees less than half of it.
   constexpr double kSeen = 0.45, kWidest = 0.8;
-  const double reach = std::min(kWidest, std::sqrt(4.0 * kNeighbors * kSeen / static_cast<double>(seen.size())));
+  const auto reach =
+      static_cast<float>(std::min(kWidest, std::sqrt(4.0 * kNeighbors * kSeen / static_cast<double>(some.count))));
   std::size_t hits = 0;
-  for (std::size_t k = 0; k < kProbes; ++k) {
-    const Vec3 probe = probeDirection(k);
-    Around<Vec3> around;
-    for (const Inlier& inlier : seen) around.add(inlier.direction - probe, reach, inlier.weight);
+  for (const Eigen::Vector3f& probe : kDirections) {
+    Around around(probe, reach, seen);
     // Across the probe: along it the cap's own bulge would count.
     around.sum -= around.sum.dot(probe) * probe;
-    hits += covered(around, Vec3(Vec3::Zero()), reach) ? 1 : 0;
+    hits += covered(around, Eigen::Vector3f::Zero(), reach) ? 1 : 0;
   }
   return static_cast<double>(hits) / kProbes;
 }
@@ -98,39 +117,56 @@ struct Outline {
   }
 };
 
-/// Points all over the outline, evenly spread (R2 sequence).
-std::vector<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+/// Places all over a square of 1, evenly spread (R2 sequence).
+std::vector<Vec2> spreadPlaces(std::size_t count) {
   constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
+  std::vector<Vec2> places;
+  for (std::size_t k = 1; k <= count; ++k) {
+    const auto along = static_cast<double>(k);
+    places.push_back({std::fmod(kStepX * along, 1.0) - 0.5, std::fmod(kStepY * along, 1.0) - 0.5});
+  }
+  return places;
+}
+
+/// Points all over the outline.
+std::vector<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+  constexpr std::size_t kMostTimes = 10;
+  static const std::vector<Vec2> kPlaces = spreadPlaces(kMostTimes * kProbes);
   const double box = extent.size.x() * extent.size.y();
-  const auto draws = static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, 10.0));
+  const auto draws =
+      static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, static_cast<double>(kMostTimes)));
   std::vector<Vec2> probes;
-  for (std::size_t k = 1; k <= draws; ++k) {
-    const double x = std::fmod(kStepX * static_cast<double>(k), 1.0) - 0.5;
-    const double y = std::fmod(kStepY * static_cast<double>(k), 1.0) - 0.5;
-    const Vec2 probe(x * extent.size.x(), y * extent.size.y());
+  for (std::size_t k = 0; k < draws; ++k) {
+    const Vec2 probe = kPlaces[k].cwiseProduct(extent.size.head<2>());
     if (outline.contains(probe)) probes.push_back(probe);
   }
   return probes;
 }
 
-double coverageOf(const Plane&, const Extent& extent, const std::vector<Vec3>& inliers) {
+double coverageOf(const Plane&, const Extent& extent, const SeenPoints& inliers) {
   const auto flat = [&extent](const Vec3& p) -> Vec2 {
     return (extent.rotation.transpose() * (p - extent.origin)).head<2>();
+  };
+  const auto raised = [](const Vec2& p) {
+    return Eigen::Vector3f(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f);
   };
   Outline outline;
   for (const Vec3& corner : extent.hull) outline.corners.push_back(flat(corner));
   // A line of points has no holes that could be told from its spacing.
   if (!(outline.area() > 1e-6 * extent.size.squaredNorm())) return 1.0;
-  std::vector<Vec2> points;
-  forEvenly(inliers, kMostInliers, [&](const Vec3& p) { points.push_back(flat(p)); });
+  const SomePoints<kMostInliers> some(inliers);
+  Places points, possible;
+  for (std::size_t k = 0; k < some.count; ++k) points.add(raised(flat(some.point(k))), 1.0f);
+  points.fillUp();
   const std::vector<Vec2> probes = probesIn(outline, extent);
-  const double reach = std::sqrt(kNeighbors * outline.area() / (M_PI * static_cast<double>(points.size())));
+  for (const Vec2& probe : probes) possible.add(raised(probe), 1.0f);
+  possible.fillUp();
+  const auto reach =
+      static_cast<float>(std::sqrt(kNeighbors * outline.area() / (M_PI * static_cast<double>(some.count))));
   std::size_t hits = 0;
   for (const Vec2& probe : probes) {
-    Around<Vec2> found, possible;
-    for (const Vec2& point : points) found.add(point - probe, reach);
-    for (const Vec2& other : probes) possible.add(other - probe, reach);
-    hits += covered(found, possible.mean(), reach) ? 1 : 0;
+    const Around found(raised(probe), reach, points);
+    hits += covered(found, Around(raised(probe), reach, possible).mean(), reach) ? 1 : 0;
   }
   return probes.empty() ? 1.0 : static_cast<double>(hits) / static_cast<double>(probes.size());
 }
@@ -151,25 +187,29 @@ double arcOf(std::vector<double> angles) {
 }
 
 /// Around the axis of the extent, of points at least so far (m) from it.
-double arcAround(const Extent& extent, const std::vector<Vec3>& inliers, double least_radius) {
+double arcAround(const Extent& extent, const SeenPoints& inliers, double least_radius) {
+  const SomePoints<kMostInliers> some(inliers);
+  const Vec3 x = extent.rotation.col(0), y = extent.rotation.col(1), offset = some.origin - extent.origin;
   std::vector<double> angles;
-  forEvenly(inliers, kMostInliers, [&](const Vec3& p) {
-    const Vec3 place = extent.rotation.transpose() * (p - extent.origin);
-    if (place.head<2>().norm() >= least_radius) angles.push_back(std::atan2(place.y(), place.x()));
-  });
-  return arcOf(angles);
+  angles.reserve(some.count);
+  for (std::size_t k = 0; k < some.count; ++k) {
+    const Vec3 place = offset + Vec3(some.x[k], some.y[k], some.z[k]);
+    const Vec2 across(x.dot(place), y.dot(place));
+    if (across.norm() >= least_radius) angles.push_back(std::atan2(across.y(), across.x()));
+  }
+  return arcOf(std::move(angles));
 }
 
-double coverageOf(const Cylinder& cylinder, const Extent& extent, const std::vector<Vec3>& inliers) {
+double coverageOf(const Cylinder& cylinder, const Extent& extent, const SeenPoints& inliers) {
   return observedArc(cylinder, extent, inliers) / (2.0 * M_PI);
 }
-double coverageOf(const Cone& cone, const Extent& extent, const std::vector<Vec3>& inliers) {
+double coverageOf(const Cone& cone, const Extent& extent, const SeenPoints& inliers) {
   return observedArc(cone, extent, inliers) / (2.0 * M_PI);
 }
 
 }  // namespace
 
-double observedArc(const Shape& shape, const Extent& extent, const std::vector<Vec3>& inliers) {
+double observedArc(const Shape& shape, const Extent& extent, const SeenPoints& inliers) {
   constexpr double kNearApex = 0.3;  // of the radius at the wide end: a tenth of a pointed cone's surface
   switch (kindOf(shape)) {
     case Kind::cylinder:
@@ -183,7 +223,7 @@ double observedArc(const Shape& shape, const Extent& extent, const std::vector<V
   return 2.0 * M_PI;
 }
 
-float measureCoverage(const Shape& shape, const Extent& extent, const std::vector<Vec3>& inliers) {
+float measureCoverage(const Shape& shape, const Extent& extent, const SeenPoints& inliers) {
   if (inliers.empty()) return 0.0f;
   const double share = std::visit([&](const auto& s) { return coverageOf(s, extent, inliers); }, shape);
   return static_cast<float>(std::clamp(share, 0.0, 1.0));

@@ -20,12 +20,22 @@ struct Run {
   std::uint32_t label, begin, end;
 };
 
+/// Labels that are compared at once.
+constexpr std::uint32_t kAtOnce = 16;
+
+bool allAre(std::uint32_t label, const std::uint32_t* labels) {
+  std::uint32_t different = 0;
+  for (std::uint32_t k = 0; k < kAtOnce; ++k) different |= labels[k] ^ label;
+  return different == 0;
+}
+
 /// Calls use(run) for all runs of a label above 0.
 template <class Use>
 void forRuns(const std::vector<std::uint32_t>& labels, const Use& use) {
   const std::uint32_t count = static_cast<std::uint32_t>(labels.size());
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
     const std::uint32_t label = labels[begin];
+    while (end + kAtOnce <= count && allAre(label, labels.data() + end)) end += kAtOnce;
     while (end < count && labels[end] == label) ++end;
     if (label > 0) use(Run{label, begin, end});
   }

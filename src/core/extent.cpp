@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <limits>
+#include <vector>
 
 namespace primitect {
 namespace {
@@ -28,99 +28,200 @@ double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Convex hull, counter-clockwise (monotone chain, Andrew 1979).
-std::vector<Vec2> convexHull(std::vector<Vec2> points) {
+/// Points that a hull has as corners, and few others: those that do not lie within the octagon of the outermost.
+std::vector<Vec2> outermost(const std::vector<Vec2>& points) {
+  constexpr std::size_t kDirections = 8;
+  // As they come around the hull: the octagon is counter-clockwise.
+  const Vec2 directions[kDirections] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  Vec2 corners[kDirections];
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const Vec2& p : points) {
+      const double far = directions[k].dot(p);
+      if (far > farthest) farthest = far, corners[k] = p;
+    }
+  }
+  std::vector<Vec2> outer;
+  for (const Vec2& p : points) {
+    bool inside = true;
+    for (std::size_t k = 0; k < kDirections && inside; ++k) {
+      const Vec2& next = corners[(k + 1) % kDirections];
+      inside = next == corners[k] || cross(corners[k], next, p) > 0.0;
+    }
+    if (!inside) outer.push_back(p);
+  }
+  return outer;
+}
+
+/// Convex hull, counter-clockwise (monotone chain, Andrew 1979), without corners that stand out by less than `flat`
+/// (m).
+std::vector<Vec2> convexHull(const std::vector<Vec2>& all, double flat) {
+  std::vector<Vec2> points = outermost(all);
+  if (points.size() < 3) return points;
   std::sort(points.begin(), points.end(),
             [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   std::vector<Vec2> hull;
-  const auto addChain = [&hull](auto begin, auto end) {
+  const auto standsOut = [flat](const Vec2& a, const Vec2& b, const Vec2& c) {
+    return cross(a, b, c) > flat * (c - a).norm();
+  };
+  const auto addChain = [&](auto begin, auto end) {
     const std::size_t start = hull.size();
     for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), *p) <= 0.0) hull.pop_back();
+      while (hull.size() >= start + 2 && !standsOut(hull[hull.size() - 2], hull.back(), *p)) hull.pop_back();
       hull.push_back(*p);
     }
     hull.pop_back();
   };
-  if (points.size() < 3) return points;
   addChain(points.begin(), points.end());
   addChain(points.rbegin(), points.rend());
   return hull;
 }
 
+constexpr std::size_t kMostPoints = 4093;  // for what is a mean
+
 /// Direction of the largest spread of the points within the plane.
-Vec3 longestDirection(const std::vector<Vec3>& points, const Vec3& mean, const Vec3& normal) {
+Vec3 longestDirection(const SomePoints<kMostPoints>& points, const Vec3& mean, const Vec3& normal) {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : points) {
-    const Vec3 offset = point - mean;
-    const Vec3 in_plane = offset - offset.dot(normal) * normal;
-    scatter.noalias() += in_plane * in_plane.transpose();
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const Vec3 offset = points.point(k) - mean;
+    scatter.noalias() += offset * offset.transpose();
   }
+  const Eigen::Matrix3d within = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  scatter = (within * scatter * within).eval();
   const Vec3 direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
   // Of the two signs the one towards positive x, so that the pose does not flip.
   return direction.x() < 0.0 ? Vec3(-direction) : direction;
 }
 
-/// The points of the part that holds most of them: cells of three mean spacings that touch belong together. Points of
-/// other objects that happen to lie in the plane do not stretch the outline.
-std::vector<Vec2> largestPart(const std::vector<Vec2>& points) {
-  Vec2 low = points.front(), high = points.front();
-  for (const Vec2& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const double count = static_cast<double>(points.size());
-  // Spacing of points spread over the box, or along a strip.
-  const double spacing = std::max(std::sqrt((high - low).prod() / count), (high - low).maxCoeff() / count);
-  const double cell = 3.0 * spacing;
-  if (!(cell > 0.0)) return points;
-  const auto cellOf = [&](const Vec2& point) {
-    const Vec2 place = (point - low) / cell;
-    return std::make_pair(static_cast<int>(place.x()), static_cast<int>(place.y()));
-  };
-  std::map<std::pair<int, int>, std::vector<Vec2>> cells;
-  for (const Vec2& point : points) cells[cellOf(point)].push_back(point);
-  std::vector<Vec2> largest;
-  while (!cells.empty()) {
-    std::vector<Vec2> part;
-    std::vector<std::pair<int, int>> open = {cells.begin()->first};
-    while (!open.empty()) {
-      const std::pair<int, int> at = open.back();
-      open.pop_back();
-      const auto found = cells.find(at);
-      if (found == cells.end()) continue;
-      part.insert(part.end(), found->second.begin(), found->second.end());
-      cells.erase(found);
-      for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) open.emplace_back(at.first + dx, at.second + dy);
-      }
-    }
-    if (part.size() > largest.size()) largest = part;
-  }
-  return largest;
+template <std::size_t most>
+Vec3 meanOf(const SomePoints<most>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < points.count; ++k) sum += Vec3(points.x[k], points.y[k], points.z[k]);
+  return points.origin + sum / static_cast<double>(points.count);
 }
 
-Extent extentOf(const Plane& plane, const std::vector<Vec3>& inliers) {
+/// The points in the frame of a plane (m, from the origin of the points).
+struct FlatPoints {
+  std::vector<float> u, v;
+
+  FlatPoints(const SeenPoints& points, const Eigen::Matrix3d& rotation) : u(points.size()), v(points.size()) {
+    const Eigen::Vector3f x = rotation.col(0).cast<float>(), y = rotation.col(1).cast<float>();
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      u[i] = x.x() * points.x[i] + x.y() * points.y[i] + x.z() * points.z[i];
+      v[i] = y.x() * points.x[i] + y.y() * points.y[i] + y.z() * points.z[i];
+    }
+  }
+  Vec2 at(std::size_t i) const { return {u[i], v[i]}; }
+};
+
+/// Square cells over a box, some of them with points.
+class Cells {
+ public:
+  explicit Cells(const FlatPoints& points) : cell_of_(points.u.size()) {
+    const auto in_u = std::minmax_element(points.u.begin(), points.u.end());
+    const auto in_v = std::minmax_element(points.v.begin(), points.v.end());
+    const float low_u = *in_u.first, low_v = *in_v.first;
+    const float across = *in_u.second - low_u, down = *in_v.second - low_v;
+    const float count = static_cast<float>(points.u.size());
+    // Spacing of points spread over the box, or along a strip.
+    const float spacing = std::max(std::sqrt(across * down / count), std::max(across, down) / count);
+    const float cell = 3.0f * spacing;
+    const float per_cell = cell > 0.0f ? 1.0f / cell : 0.0f;
+    // One empty cell around all: no neighbour is outside.
+    columns_ = static_cast<int>(across * per_cell) + 3;
+    rows_ = static_cast<int>(down * per_cell) + 3;
+    counts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+    for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+      const int column = static_cast<int>((points.u[i] - low_u) * per_cell) + 1;
+      const int row = static_cast<int>((points.v[i] - low_v) * per_cell) + 1;
+      cell_of_[i] = row * columns_ + column;
+      ++counts_[static_cast<std::size_t>(cell_of_[i])];
+    }
+  }
+
+  /// Leaves the cells that touch each other and hold most points.
+  void keepLargestPart() {
+    std::vector<int> part(counts_.size(), 0), open;
+    int parts = 0, largest = 0;
+    int most = 0;
+    for (std::size_t first = 0; first < counts_.size(); ++first) {
+      if (counts_[first] == 0 || part[first] != 0) continue;
+      const int held = fill(static_cast<int>(first), ++parts, part, open);
+      if (held > most) most = held, largest = parts;
+    }
+    for (std::size_t k = 0; k < counts_.size(); ++k) counts_[k] = part[k] == largest ? counts_[k] : 0;
+  }
+
+  /// Points that may be corners of the hull of all that are left. None of a cell whose four diagonal neighbours hold
+  /// points is one: in whatever direction, one of these lies farther out.
+  std::vector<Vec2> border(const FlatPoints& points) const {
+    std::vector<char> at_border(counts_.size(), 0);
+    for (int k = columns_ + 1; k + columns_ + 1 < static_cast<int>(counts_.size()); ++k) {
+      const bool amid =
+          count(k - columns_ - 1) && count(k - columns_ + 1) && count(k + columns_ - 1) && count(k + columns_ + 1);
+      at_border[static_cast<std::size_t>(k)] = count(k) > 0 && !amid;
+    }
+    std::vector<Vec2> result;
+    for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+      if (at_border[static_cast<std::size_t>(cell_of_[i])]) result.push_back(points.at(i));
+    }
+    return result;
+  }
+
+ private:
+  int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
+
+  int fill(int first, int number, std::vector<int>& part, std::vector<int>& open) const {
+    int held = 0;
+    open.assign(1, first);
+    part[static_cast<std::size_t>(first)] = number;
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      held += count(at);
+      for (const int next : {at - columns_ - 1, at - columns_, at - columns_ + 1, at - 1, at + 1, at + columns_ - 1,
+                             at + columns_, at + columns_ + 1}) {
+        if (count(next) == 0 || part[static_cast<std::size_t>(next)] != 0) continue;
+        part[static_cast<std::size_t>(next)] = number;
+        open.push_back(next);
+      }
+    }
+    return held;
+  }
+
+  int columns_ = 0, rows_ = 0;
+  std::vector<int> counts_;
+  std::vector<int> cell_of_;  ///< of each point
+};
+
+/// Points of other objects that happen to lie in the plane do not stretch the outline: cells of three mean spacings
+/// that touch belong together, and the part counts that holds most points.
+Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
+  const SomePoints<kMostPoints> some(inliers);
+  const Vec3 mean = meanOf(some);
   Extent extent;
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& inlier : inliers) mean += inlier / static_cast<double>(inliers.size());
-  mean -= distance(plane, mean) * plane.normal;
-  extent.rotation = frameAround(plane.normal, longestDirection(inliers, mean, plane.normal));
-  std::vector<Vec2> flat;
-  for (const Vec3& inlier : inliers) flat.push_back((extent.rotation.transpose() * (inlier - mean)).head<2>());
-  flat = largestPart(flat);
-  Vec2 low = flat.front(), high = flat.front();
-  for (const Vec2& point : flat) {
+  extent.rotation = frameAround(plane.normal, longestDirection(some, mean, plane.normal));
+  const FlatPoints flat(inliers, extent.rotation);
+  Cells cells(flat);
+  cells.keepLargestPart();
+  const std::vector<Vec2> border = cells.border(flat);
+  Vec2 low = border.front(), high = border.front();
+  for (const Vec2& point : border) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  const Vec2 center = 0.5 * (low + high);
-  extent.origin = mean + extent.rotation.leftCols<2>() * center;
+  const Vec3 foot = inliers.origin - distance(plane, inliers.origin) * plane.normal;
+  extent.origin = foot + extent.rotation.leftCols<2>() * (0.5 * (low + high));
   extent.size.head<2>() = high - low;
-  for (const Vec2& corner : convexHull(flat)) extent.hull.push_back(mean + extent.rotation.leftCols<2>() * corner);
+  // A millimetre of a metre: less than the noise at a border, and half the corners.
+  constexpr double kFlat = 1e-3;
+  for (const Vec2& corner : convexHull(border, kFlat * extent.size.norm())) {
+    extent.hull.push_back(foot + extent.rotation.leftCols<2>() * corner);
+  }
   return extent;
 }
 
-Extent extentOf(const Sphere& sphere, const std::vector<Vec3>&) {
+Extent extentOf(const Sphere& sphere, const SeenPoints&) {
   Extent extent;
   extent.origin = sphere.center;
   extent.radius = sphere.radius;
@@ -132,39 +233,47 @@ struct AxisRange {
   double low, high;
 };
 
-AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const std::vector<Vec3>& inliers) {
+AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers) {
   constexpr double kStragglers = 0.01;
-  std::vector<double> heights;
-  for (const Vec3& inlier : inliers) heights.push_back((inlier - point).dot(axis));
-  std::sort(heights.begin(), heights.end());
-  const std::size_t skipped = static_cast<std::size_t>(kStragglers * static_cast<double>(heights.size()));
-  return {heights[skipped], heights[heights.size() - 1 - skipped]};
+  const Eigen::Vector3f direction = axis.cast<float>();
+  float heights[SomePoints<kMostPoints>::kRoom];
+  for (std::size_t k = 0; k < inliers.count; ++k) {
+    heights[k] = direction.x() * inliers.x[k] + direction.y() * inliers.y[k] + direction.z() * inliers.z[k];
+  }
+  float* const end = heights + inliers.count;
+  float* const low = heights + static_cast<std::size_t>(kStragglers * static_cast<double>(inliers.count));
+  float* const high = end - 1 - (low - heights);
+  const double origin = (inliers.origin - point).dot(axis);
+  std::nth_element(heights, low, end);
+  const double lowest = origin + *low;
+  std::nth_element(low, high, end);
+  return {lowest, origin + *high};
 }
 
 /// x of the frame: from the axis towards the side that was seen.
-Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const std::vector<Vec3>& inliers) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& inlier : inliers) sum += inlier - point;
-  return frameAround(axis, sum);
+Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers) {
+  return frameAround(axis, meanOf(inliers) - point);
 }
 
-Extent extentOf(const Cylinder& cylinder, const std::vector<Vec3>& inliers) {
-  const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, inliers);
+Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers) {
+  const SomePoints<kMostPoints> some(inliers);
+  const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some);
   Extent extent;
   extent.origin = cylinder.point + 0.5 * (range.low + range.high) * cylinder.axis;
-  extent.rotation = frameTowardsSeenSide(cylinder.point, cylinder.axis, inliers);
+  extent.rotation = frameTowardsSeenSide(cylinder.point, cylinder.axis, some);
   extent.size.z() = range.high - range.low;
   extent.radius = cylinder.radius;
   return extent;
 }
 
-Extent extentOf(const Cone& cone, const std::vector<Vec3>& inliers) {
-  AxisRange range = rangeAlong(cone.apex, cone.axis, inliers);
+Extent extentOf(const Cone& cone, const SeenPoints& inliers) {
+  const SomePoints<kMostPoints> some(inliers);
+  AxisRange range = rangeAlong(cone.apex, cone.axis, some);
   range.low = std::max(range.low, 0.0);
   range.high = std::max(range.high, range.low);
   Extent extent;
   extent.origin = cone.apex + 0.5 * (range.low + range.high) * cone.axis;
-  extent.rotation = frameTowardsSeenSide(cone.apex, cone.axis, inliers);
+  extent.rotation = frameTowardsSeenSide(cone.apex, cone.axis, some);
   extent.size.z() = range.high - range.low;
   extent.radius = range.high * std::tan(cone.half_angle);
   extent.radius_small = range.low * std::tan(cone.half_angle);
@@ -180,7 +289,7 @@ bool pointsUp(const Vec3& axis) {
 
 }  // namespace
 
-Extent measureExtent(const Shape& shape, const std::vector<Vec3>& inliers) {
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers) {
   if (inliers.empty()) return {};
   return std::visit([&inliers](const auto& s) { return extentOf(s, inliers); }, shape);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/flat.h"
+#include "core/point_noise.h"
 
 namespace primitect {
 namespace {
@@ -14,18 +15,9 @@ namespace {
 /// Points of a run: short enough to lie close together, long enough that what is done once for each costs little.
 constexpr std::size_t kRun = 64;
 /// Runs whose points are labelled by all shapes before the next ones, so that they stay in the cache.
-constexpr std::size_t kRunsAtOnce = 32;
+constexpr std::size_t kRunsAtOnce = 16;
 /// So that no point of a ball is left out.
 constexpr float kRounding = 1.001f;
-
-/// At every depth.
-kernels::FlatTolerance flattened(const Tolerance& tolerance) {
-  const NoiseModel& noise = tolerance.noise;
-  const auto scaled = [&tolerance](double value) { return static_cast<float>(tolerance.deviations * value); };
-  const auto nearest = static_cast<float>(kAxialNearest);
-  if (noise.depth_share <= 0.0) return {scaled(noise.distance), 0.0f, nearest, 0.0f};
-  return {scaled(kAxialLeast), scaled(kAxialGrowth), nearest, scaled(noise.depth_share)};
-}
 
 }  // namespace
 
@@ -79,6 +71,7 @@ void Labeling::labelRuns(std::size_t first, std::size_t last, const kernels::Fla
   const kernels::Loops& loops = kernels::loops();
   loops.tolerances(tolerance, z, count, point_allowed_.data());
   std::copy_n(point_allowed_.begin(), count, nearest_.begin());
+  std::fill_n(labels + begin, count, 0u);
   const kernels::LabelledCloud points = {cloud_->x.data() + begin, cloud_->y.data() + begin, z,
                                          point_allowed_.data(),    nearest_.data(),          labels + begin};
   for (std::size_t k = 0; k < targets_.size(); ++k) {
@@ -100,8 +93,8 @@ void Labeling::labelRuns(std::size_t first, std::size_t last, const kernels::Fla
 void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance,
                      std::vector<std::uint32_t>& labels) {
   const std::size_t runs = x_.size();
-  const kernels::FlatTolerance flat = flattened(tolerance);
-  labels.assign(cloud_->size(), 0);
+  const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
+  labels.resize(cloud_->size());
   findAllowed(flat);
   targets_.clear();
   near_.resize(detections.size() * runs);

@@ -3,8 +3,6 @@
 // Putting the measures of a detection together; see measurement.h.
 #include "core/measurement.h"
 
-#include <cmath>
-
 #include "core/bias.h"
 #include "core/covariance.h"
 #include "core/coverage.h"
@@ -20,20 +18,10 @@ DepthRange rangeOf(const Params& params) {
 
 }  // namespace
 
-float rmsDistance(const Shape& shape, const std::vector<Vec3>& points) {
-  double sum = 0.0;
-  for (const Vec3& point : points) sum += distance(shape, point) * distance(shape, point);
-  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
-}
-
 Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
-    : cloud_(cloud),
-      noise_(noise),
-      limits_(limits),
-      sigma_([noise](const Vec3& p) { return noise.at(p); }),
-      truncation_(cloud, rangeOf(params), sigma_) {}
+    : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
 
-Shape Measurement::fitted(const Shape& shape, const Samples& samples, const std::vector<Vec3>& points) const {
+Shape Measurement::fitted(const Shape& shape, const Samples& samples, const SeenPoints& points) const {
   const Shape fit = refineOnPoints(shape, samples, noise_, limits_);
   const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape unbiased = withoutBias(fit, points, sigma_, direction);
@@ -42,8 +30,8 @@ Shape Measurement::fitted(const Shape& shape, const Samples& samples, const std:
 
 Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled) const {
   const Samples samples = samplesAt(cloud_, labelled.index, noise_);
-  std::vector<Vec3> points;
-  for (std::size_t k = 0; k < samples.size(); ++k) points.push_back(samples.point(k));
+  SeenPoints points;
+  points.gather(cloud_, labelled.index);
   Detection measured = detection;
   measured.shape = canonical(fitted(detection.shape, samples, points));
   measured.extent = measureExtent(measured.shape, points);

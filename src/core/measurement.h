@@ -3,21 +3,17 @@
 // The final numbers of a detection, measured on the points of the cloud: fit, extent, covariance, what was not seen.
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "core/competition.h"
 #include "core/dense_fit.h"
 #include "core/noise.h"
+#include "core/point_noise.h"
+#include "core/seen_points.h"
 #include "core/truncation.h"
 #include "primitect/cloud.h"
 #include "primitect/params.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// Root mean square of the distances (m); of at least one point.
-float rmsDistance(const Shape& shape, const std::vector<Vec3>& points);
 
 /// Of one frame.
 class Measurement {
@@ -28,12 +24,12 @@ class Measurement {
   Detection of(const Detection& detection, const LabelledPoints& points) const;
 
  private:
-  Shape fitted(const Shape& shape, const Samples& samples, const std::vector<Vec3>& points) const;
+  Shape fitted(const Shape& shape, const Samples& samples, const SeenPoints& points) const;
 
   const Cloud& cloud_;
   NoiseModel noise_;
   Limits limits_;
-  std::function<double(const Vec3&)> sigma_;
+  PointNoise sigma_;
   TruncationFinder truncation_;
 };
 

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "core/covariance.h"
-#include "core/evenly.h"
+#include "core/noise.h"
+#include "core/residuals.h"
 
 namespace primitect {
 namespace {
@@ -18,29 +19,56 @@ struct Cell {
   double count = 0.0;
 };
 
-struct Member {
-  Vec3 place;  ///< on the surface: a cell must not collect the points of one side
-  double psi;  ///< Tukey's biweight of the residual
+/// Points of a surface with Tukey's biweight of their residuals.
+struct Members {
+  static constexpr std::size_t kMost = 2039;
+  std::size_t count = 0;
+  double psi_sq = 0.0;  ///< sum
+  /// On the surface (m, from any origin): a cell must not collect the points of one side.
+  float x[kMost], y[kMost], z[kMost];
+  float psi[kMost];
 };
 
-/// A box around the members cut into about thirty cells that meet the surface.
-std::vector<Cell> cellsOf(const std::vector<Member>& members) {
-  constexpr double kCells = 30.0, kMostAlong = 100.0;
-  Vec3 low = members.front().place, high = low;
-  for (const Member& m : members) {
-    low = low.cwiseMin(m.place);
-    high = high.cwiseMax(m.place);
+void findMembers(const Shape& shape, const SomePoints<Members::kMost>& points, const PointNoise& sigma,
+                 Members& members) {
+  const auto feet = Feet<SomePoints<Members::kMost>::kRoom>(shape, points);
+  float one[SomePoints<Members::kMost>::kRoom];
+  sigma.at(points, one);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const float away = feet.distance[k];
+    const float share = away / (static_cast<float>(kInlierDeviations) * one[k]);
+    if (!(std::abs(share) < 1.0f)) continue;
+    const float root = 1.0f - share * share, psi = share * root * root;
+    const std::size_t at = members.count++;
+    members.x[at] = points.x[k] - away * feet.nx[k];
+    members.y[at] = points.y[k] - away * feet.ny[k];
+    members.z[at] = points.z[k] - away * feet.nz[k];
+    members.psi[at] = psi;
+    members.psi_sq += static_cast<double>(psi) * psi;
   }
-  const Vec3 size = high - low;
-  const double longest = size.maxCoeff(), shortest = size.minCoeff();
-  const double middle = size.sum() - longest - shortest;
-  const double edge = std::max({std::sqrt(longest * middle / kCells), longest / kMostAlong, 1e-9});
-  const Eigen::Array3i counts = (size / edge).array().cast<int>() + 1;
+}
+
+/// A box around the members cut into about thirty cells that meet the surface.
+std::vector<Cell> cellsOf(const Members& members) {
+  constexpr float kCells = 30.0f, kMostAlong = 100.0f;
+  Eigen::Array3f low(members.x[0], members.y[0], members.z[0]), high = low;
+  for (std::size_t k = 0; k < members.count; ++k) {
+    const Eigen::Array3f place(members.x[k], members.y[k], members.z[k]);
+    low = low.min(place);
+    high = high.max(place);
+  }
+  const Eigen::Array3f size = high - low;
+  const float longest = size.maxCoeff(), shortest = size.minCoeff();
+  const float middle = size.sum() - longest - shortest;
+  const float per_edge = 1.0f / std::max({std::sqrt(longest * middle / kCells), longest / kMostAlong, 1e-9f});
+  const Eigen::Array3i counts = (size * per_edge).cast<int>() + 1;
   std::vector<Cell> cells(static_cast<std::size_t>(counts.prod()));
-  for (const Member& m : members) {
-    const Eigen::Array3i at = ((m.place - low) / edge).array().cast<int>();
-    Cell& cell = cells[static_cast<std::size_t>((at.z() * counts.y() + at.y()) * counts.x() + at.x())];
-    cell.sum += m.psi;
+  for (std::size_t k = 0; k < members.count; ++k) {
+    const int column = static_cast<int>((members.x[k] - low.x()) * per_edge);
+    const int row = static_cast<int>((members.y[k] - low.y()) * per_edge);
+    const int layer = static_cast<int>((members.z[k] - low.z()) * per_edge);
+    Cell& cell = cells[static_cast<std::size_t>((layer * counts.y() + row) * counts.x() + column)];
+    cell.sum += members.psi[k];
     cell.count += 1.0;
   }
   return cells;
@@ -48,34 +76,25 @@ std::vector<Cell> cellsOf(const std::vector<Member>& members) {
 
 }  // namespace
 
-double measureSharedNoise(const Shape& shape, const std::vector<Vec3>& inliers,
-                          const std::function<double(const Vec3&)>& sigma) {
-  constexpr std::size_t kMostPoints = 4093;
-  std::vector<Member> members;
-  double total = 0.0;
-  const double share = forEvenly(inliers, kMostPoints, [&](const Vec3& p) {
-    const double away = distance(shape, p);
-    const double share_of_limit = away / (kFitDeviations * sigma(p));
-    if (!(std::abs(share_of_limit) < 1.0)) return;
-    const double root = 1.0 - share_of_limit * share_of_limit;
-    members.push_back({p - away * normalAt(shape, p), share_of_limit * root * root});
-    total += members.back().psi * members.back().psi;
-  });
-  if (members.empty() || !(total > 0.0)) return 1.0;
+double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
+  const SomePoints<Members::kMost> points(inliers);
+  Members members;
+  findMembers(shape, points, sigma, members);
+  if (members.count == 0 || !(members.psi_sq > 0.0)) return 1.0;
   double sums_sq = 0.0, counts_sq = 0.0;
   for (const Cell& cell : cellsOf(members)) {
     sums_sq += cell.sum * cell.sum;
     counts_sq += cell.count * cell.count;
   }
   // As many cells of equal size; the fit has made the sums smaller in as many ways as it has parameters.
-  const double cells = static_cast<double>(members.size() * members.size()) / counts_sq;
+  const double cells = static_cast<double>(members.count * members.count) / counts_sq;
   const double freedom = cells - parameterCount(kindOf(shape));
   if (!(freedom > 1.0)) return 1.0;
-  const double growth = sums_sq / total * cells / freedom;
+  const double growth = sums_sq / members.psi_sq * cells / freedom;
   const double chance = 2.0 * std::sqrt(2.0 / freedom);
   if (!(growth > 1.0 + chance)) return 1.0;
   // Of all points, that many times more lie within reach of each other.
-  return 1.0 + (growth - 1.0) / share;
+  return 1.0 + (growth - 1.0) / points.share;
 }
 
 }  // namespace primitect

@@ -20,27 +20,71 @@ struct Pixel {
   int column, row;
 };
 
+/// Distance of a point on a ray, and its growth along the ray.
+struct Approach {
+  double away, slope;
+};
+
+Approach approach(const Plane& plane, const Vec3& p, const Vec3& ray) {
+  return {plane.normal.dot(p - plane.point), plane.normal.dot(ray)};
+}
+
+Approach approach(const Sphere& sphere, const Vec3& p, const Vec3& ray) {
+  const Vec3 out = p - sphere.center;
+  const double away = out.norm();
+  return {away - sphere.radius, out.dot(ray) / away};
+}
+
+Approach approach(const Cylinder& cylinder, const Vec3& p, const Vec3& ray) {
+  const Vec3 offset = p - cylinder.point, out = offset - offset.dot(cylinder.axis) * cylinder.axis;
+  const double away = out.norm();
+  return {away - cylinder.radius, out.dot(ray) / away};
+}
+
+/// A cone whose sine and cosine are worked out once.
+struct OpenCone {
+  Cone cone;
+  double sine, cosine;
+};
+
+Approach approach(const OpenCone& open, const Vec3& p, const Vec3& ray) {
+  const Vec3 offset = p - open.cone.apex;
+  const double height = offset.dot(open.cone.axis);
+  const Vec3 out = offset - height * open.cone.axis;
+  const double away = out.norm();
+  if (height * open.cosine + away * open.sine < 0.0) return {offset.norm(), offset.dot(ray) / offset.norm()};
+  return {away * open.cosine - height * open.sine,
+          open.cosine * out.dot(ray) / away - open.sine * open.cone.axis.dot(ray)};
+}
+
+template <class T>
+const T& opened(const T& shape) {
+  return shape;
+}
+OpenCone opened(const Cone& cone) { return {cone, std::sin(cone.half_angle), std::cos(cone.half_angle)}; }
+
 /// Depth at which the ray meets the shape, by Newton's method from a depth nearby: of two crossings it finds that on
 /// whose side the walk is, so that shapes seen from inside need no care. Nothing at the limb.
-std::optional<double> depthOn(const Shape& shape, const Vec3& ray, double depth) {
+template <class T>
+std::optional<double> depthOn(const T& shape, const Vec3& ray, double depth) {
   constexpr double kGrazing = 0.05, kExact = 1e-4;  // sine of 3 deg; m
+  const double least_slope_sq = kGrazing * kGrazing * ray.squaredNorm();
   for (int iteration = 0; iteration < 8; ++iteration) {
-    const Vec3 p = depth * ray;
-    const double away = distance(shape, p);
-    if (std::abs(away) < kExact) return depth;
-    const double slope = normalAt(shape, p).dot(ray);
-    if (!(std::abs(slope) > kGrazing * ray.norm())) return std::nullopt;
-    depth -= away / slope;
+    const Approach here = approach(shape, depth * ray, ray);
+    if (std::abs(here.away) < kExact) return depth;
+    // Not of numbers where there is no normal.
+    if (!(here.slope * here.slope > least_slope_sq)) return std::nullopt;
+    depth -= here.away / here.slope;
     if (!(depth > 0.0)) return std::nullopt;
   }
   return std::nullopt;
 }
 
 /// One walk along a row or column; what it passes is judged against the surface as it should be there.
+template <class T>
 class Walk {
  public:
-  Walk(const Cloud& cloud, const ImageRays& rays, const DepthRange& range,
-       const std::function<double(const Vec3&)>& sigma, const Shape& shape)
+  Walk(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, const PointNoise& sigma, const T& shape)
       : cloud_(cloud), rays_(rays), range_(range), sigma_(sigma), shape_(shape) {}
 
   /// The bit of what ends the surface in this direction; 0 when it ends on its own, or nobody knows why.
@@ -104,8 +148,8 @@ class Walk {
   const Cloud& cloud_;
   const ImageRays& rays_;
   const DepthRange& range_;
-  const std::function<double(const Vec3&)>& sigma_;
-  const Shape& shape_;
+  const PointNoise& sigma_;
+  const T& shape_;
   double depth_ = 0.0;       ///< of the surface here
   double last_depth_ = 0.0;  ///< where a point was last seen on it
   int strangers_ = 0;        ///< pixels off the surface since the last one on it
@@ -179,8 +223,7 @@ std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const std::ve
 
 }  // namespace
 
-TruncationFinder::TruncationFinder(const Cloud& cloud, const DepthRange& range,
-                                   std::function<double(const Vec3&)> sigma)
+TruncationFinder::TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma)
     : cloud_(cloud), rays_(findRays(cloud)), range_(range), sigma_(std::move(sigma)) {}
 
 std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
@@ -201,7 +244,11 @@ std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
   if (pixels.empty()) return kTruncationUnknown;
   const auto starts = startsOf(pixels);
   std::array<std::size_t, 8> counts = {};
-  for (const auto& [start, step] : starts) ++counts[Walk(cloud_, rays_, range_, sigma_, shape).from(start, step)];
+  const auto walkAll = [&](const auto& any) {
+    const auto& on = opened(any);
+    for (const auto& [start, step] : starts) ++counts[Walk(cloud_, rays_, range_, sigma_, on).from(start, step)];
+  };
+  std::visit(walkAll, shape);
   std::uint8_t bits = 0;
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
     if (10 * counts[bit] >= starts.size()) bits |= bit;

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/image_rays.h"
+#include "core/point_noise.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -17,7 +17,7 @@ namespace primitect {
 class TruncationFinder {
  public:
   /// range: outside of it, points of this cloud were made missing. sigma(p): m, noise of the distance to a surface.
-  TruncationFinder(const Cloud& cloud, const DepthRange& range, std::function<double(const Vec3&)> sigma);
+  TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma);
 
   /// Bits of Truncation for a shape with these points of the cloud. From the outermost of them the image is followed
   /// along the surface to the first pixel that is not on it, in rows and columns; a tenth of these walks decides:
@@ -34,7 +34,7 @@ class TruncationFinder {
   const Cloud& cloud_;
   ImageRays rays_;
   DepthRange range_;
-  std::function<double(const Vec3&)> sigma_;
+  PointNoise sigma_;
 };
 
 }  // namespace primitect

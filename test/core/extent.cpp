@@ -23,6 +23,9 @@ std::vector<Vec3> pointsOf(const std::vector<SurfacePoint>& points) {
   return result;
 }
 
+// Float holds 1 m to 1e-7.
+constexpr double kRounding = 2e-7;
+
 TEST(Extent, OfARectangleIsItsOutlineSeenFromTheSensor) {
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   std::vector<Vec3> points;
@@ -30,15 +33,15 @@ TEST(Extent, OfARectangleIsItsOutlineSeenFromTheSensor) {
     for (int j = 0; j <= 10; ++j) points.push_back({0.1 + 0.06 * i, 0.2 + 0.02 * j, 1.0});
   }
   const Extent extent = measureExtent(plane, points);
-  EXPECT_LT((extent.origin - Vec3(0.4, 0.3, 1.0)).norm(), 1e-9);
-  EXPECT_NEAR(extent.size.x(), 0.6, 1e-9);
-  EXPECT_NEAR(extent.size.y(), 0.2, 1e-9);
+  EXPECT_LT((extent.origin - Vec3(0.4, 0.3, 1.0)).norm(), kRounding);
+  EXPECT_NEAR(extent.size.x(), 0.6, kRounding);
+  EXPECT_NEAR(extent.size.y(), 0.2, kRounding);
   EXPECT_LT((extent.rotation.col(2) - plane.normal).norm(), 1e-12);
   EXPECT_NEAR(extent.rotation.determinant(), 1.0, 1e-12);
   ASSERT_EQ(extent.hull.size(), 4u);
   double area = 0.0;
   for (std::size_t k = 0; k < 4; ++k) area += 0.5 * extent.hull[k].cross(extent.hull[(k + 1) % 4]).dot(plane.normal);
-  EXPECT_NEAR(area, 0.12, 1e-9);  // positive: counter-clockwise around the normal
+  EXPECT_NEAR(area, 0.12, kRounding);  // positive: counter-clockwise around the normal
 }
 
 TEST(Extent, OfACylinderLiesBetweenItsSeenEnds) {
@@ -84,7 +87,7 @@ TEST(Extent, OfAThinStripIsTheWholeStrip) {
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   std::vector<Vec3> points;
   for (int i = 0; i <= 100; ++i) points.push_back({0.01 * i, 0.0, 1.0});
-  EXPECT_NEAR(measureExtent(plane, points).size.x(), 1.0, 1e-9);
+  EXPECT_NEAR(measureExtent(plane, points).size.x(), 1.0, kRounding);
 }
 
 TEST(Canonical, CylinderAxesPointUpInTheImage) {

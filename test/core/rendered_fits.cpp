@@ -37,7 +37,7 @@ void addFit(const Shape& truth, const std::vector<Vec3>& points, std::array<Mean
   Samples samples;
   for (const Vec3& p : points) test::append(samples, {p, Vec3::UnitZ()});
   const std::vector<std::uint32_t> all = test::allOf(samples);
-  const auto fit = refine(truth, {samples, all}, [&](const Vec3& p) { return kFitDeviations * noise(p); });
+  const auto fit = refine(truth, {samples, all}, [&](const Vec3& p) { return kInlierDeviations * noise(p); });
   ASSERT_TRUE(fit);
   const Shape shape = withoutBias(*fit, points, noise, NoiseDirection::along_ray);
   const Hessian covariance = measureCovariance(shape, points, noise);

@@ -106,7 +106,7 @@ struct NoisyFit {
     }
     const Samples samples = samplesOf(points);
     const std::vector<std::uint32_t> all = allOf(samples);
-    shape = refine(patch.truth, {samples, all}, [&](const Vec3&) { return kFitDeviations * sigma; });
+    shape = refine(patch.truth, {samples, all}, [&](const Vec3&) { return kInlierDeviations * sigma; });
   }
 
   std::function<double(const Vec3&)> noise(double scale = 1.0) const {

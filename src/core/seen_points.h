@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The points that were seen of one shape, as the loops over many points take them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/flat.h"
+#include "kernels/loops.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// In float around one of them, so that no digits are lost.
+struct SeenPoints {
+  Vec3 origin = Vec3::Zero();
+  std::vector<float> x, y, z;  ///< m, from the origin
+
+  SeenPoints() = default;
+  /// Not explicit: a list of points is one of those that were seen.
+  SeenPoints(const std::vector<Vec3>& points);
+
+  /// Those of a cloud, or of samples, with these indices.
+  template <class Source>
+  void gather(const Source& source, const std::vector<std::uint32_t>& index) {
+    for (std::vector<float>* values : {&x, &y, &z}) values->resize(index.size());
+    if (index.empty()) return;
+    const std::uint32_t middle = index[index.size() / 2];
+    const float from[3] = {source.x[middle], source.y[middle], source.z[middle]};
+    origin = Vec3(from[0], from[1], from[2]);
+    for (std::size_t k = 0; k < index.size(); ++k) {
+      const std::uint32_t i = index[k];
+      x[k] = source.x[i] - from[0], y[k] = source.y[i] - from[1], z[k] = source.z[i] - from[2];
+    }
+  }
+
+  std::size_t size() const { return x.size(); }
+  bool empty() const { return x.empty(); }
+  Vec3 point(std::size_t i) const { return origin + Vec3(x[i], y[i], z[i]); }
+};
+
+/// Some of them, evenly taken: for what is a mean over all. Filled up to whole lanes with copies of the last.
+template <std::size_t most>
+struct SomePoints {
+  static constexpr std::size_t kRoom = (most + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+
+  Vec3 origin;
+  std::size_t count;  ///< without what fills up
+  double share;       ///< of all points
+  float x[kRoom], y[kRoom], z[kRoom];
+
+  explicit SomePoints(const SeenPoints& all)
+      : origin(all.origin),
+        count(std::min(all.size(), most)),
+        share(count > 0 ? static_cast<double>(count) / static_cast<double>(all.size()) : 1.0) {
+    for (std::size_t k = 0; k < filled(); ++k) {
+      const std::size_t i = std::min(k, count - 1) * all.size() / count;
+      x[k] = all.x[i], y[k] = all.y[i], z[k] = all.z[i];
+    }
+  }
+  /// With what fills up.
+  std::size_t filled() const { return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes; }
+  Vec3 point(std::size_t k) const { return origin + Vec3(x[k], y[k], z[k]); }
+};
+
+/// Distances to a shape and its outward normals at so many points.
+template <std::size_t room>
+struct Feet {
+  float distance[room], nx[room], ny[room], nz[room];
+
+  Feet(const Shape& shape, const Vec3& origin, const float* x, const float* y, const float* z, std::size_t count) {
+    kernels::loops().feet(flattened(shape, origin), x, y, z, count, {distance, nx, ny, nz});
+  }
+  template <std::size_t most>
+  Feet(const Shape& shape, const SomePoints<most>& points)
+      : Feet(shape, points.origin, points.x, points.y, points.z, points.filled()) {}
+};
+
+/// Root mean square of the distances (m); of at least one point.
+float rmsDistance(const Shape& shape, const SeenPoints& points);
+
+}  // namespace primitect
