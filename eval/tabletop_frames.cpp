@@ -68,6 +68,40 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
   }
 }
 
+/// Of each true shape the share of its pixels whose neighbours two steps around are its own, too.
+std::vector<double> insideShares(const LabelledCloud& frame, int width, int height) {
+  constexpr int kSteps = 2;
+  std::vector<double> inside(frame.truth.size(), 0.0), all(frame.truth.size(), 0.0);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int own = frame.surface[static_cast<std::size_t>(row) * width + column];
+      if (own < 0) continue;
+      bool surrounded = true;
+      for (int down = -kSteps; down <= kSteps; ++down) {
+        const int across = kSteps - std::abs(down);
+        for (int right = -across; right <= across; ++right) {
+          const int r = row + down, c = column + right;
+          const bool within = 0 <= r && r < height && 0 <= c && c < width;
+          surrounded = surrounded && within && frame.surface[static_cast<std::size_t>(r) * width + c] == own;
+        }
+      }
+      all[own] += 1.0;
+      inside[own] += surrounded ? 1.0 : 0.0;
+    }
+  }
+  for (std::size_t t = 0; t < inside.size(); ++t) inside[t] /= std::max(all[t], 1.0);
+  return inside;
+}
+
+/// The rim of a box three pixels wide is no region, however long it is.
+void excuseRims(const PinholeCamera& camera, LabelledCloud& frame) {
+  constexpr double kLeastInside = 0.25;  // rims have less than 0.1, all else more than 0.5
+  const std::vector<double> inside = insideShares(frame, camera.width, camera.height);
+  for (std::size_t t = 0; t < inside.size(); ++t) {
+    if (inside[t] < kLeastInside) frame.truth[t].must = false;
+  }
+}
+
 /// The points of the surfaces themselves, where the cloud has a measured one.
 Cloud exactPoints(const View& view, const Cloud& cloud) {
   synthetic::Rendering exact;
@@ -119,6 +153,7 @@ LabelledCloud tabletopFrame(const Recipe& recipe) {
   result.rules.max_distance = 20.0 * kMillimeter;
   cloudFromDepth(frame.depth, view.camera, params.truth.range, result.cloud);
   labelSurfaces(view, frame, result);
+  excuseRims(view.camera, result);
   result.scored = scoredPoints(view, frame, result.cloud);
   return result;
 }
