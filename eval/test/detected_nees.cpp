@@ -13,7 +13,7 @@
 namespace primitect::eval {
 namespace {
 
-constexpr Kind kKinds[] = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
+using test::kKinds;
 
 Shape moved(Shape shape, const Vec3& by) {
   if (Plane* plane = std::get_if<Plane>(&shape)) plane->point += by;

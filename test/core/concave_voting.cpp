@@ -14,14 +14,13 @@ namespace {
 
 using test::bowlOf;
 using test::candidatesOf;
+using test::kDegree;
 using test::median;
 using test::patchOf;
 using test::pointOn;
 using test::shapesOf;
 using test::SurfacePoint;
 using test::wallOf;
-
-constexpr double kDegree = M_PI / 180.0;
 
 Params paperWith(const char* convexity) {
   Params params = presetParams("paper");

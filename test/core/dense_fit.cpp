@@ -12,12 +12,12 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::measured;
 using test::patchOf;
 using test::samplesWith;
 using test::SurfacePoint;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kNoise = 0.001;
 const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
 

@@ -14,10 +14,9 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::patchOf;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
 const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};

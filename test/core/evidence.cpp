@@ -15,6 +15,7 @@
 namespace primitect {
 namespace {
 
+using test::kKinds;
 using test::patchOf;
 using test::SurfacePoint;
 
@@ -71,8 +72,6 @@ Evidence usualEvidence(Kind kind) {
   if (kind != Kind::plane) evidence.turn = 0.2f, evidence.lead = 0.1f;
   return evidence;
 }
-
-constexpr std::array<Kind, kKindCount> kKinds = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 
 TEST(Evidence, ABallInFrontOfAWallRunsOnNowhere) {
   Random random(3);

@@ -5,17 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::patchOf;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 struct Scene {
   Shape truth;
@@ -23,9 +20,7 @@ struct Scene {
   std::vector<std::uint32_t> all;
 
   Scene(const Shape& shape, const std::vector<SurfacePoint>& points)
-      : truth(shape), samples(test::samplesOf(points)), all(samples.size()) {
-    std::iota(all.begin(), all.end(), 0u);
-  }
+      : truth(shape), samples(test::samplesOf(points)), all(test::allOf(samples)) {}
   SampleSet set() const { return {samples, all}; }
 };
 
@@ -179,8 +174,7 @@ TEST(Refinement, FindsASlenderConeFromOneThatTapersLessOrMore) {
     const double middle = kRadius / std::tan(half_angle);
     const Samples samples =
         test::samplesOf(test::patchOf(throughCircle(half_angle), 500, middle - 0.05, middle + 0.05, random));
-    std::vector<std::uint32_t> all(samples.size());
-    std::iota(all.begin(), all.end(), 0u);
+    const std::vector<std::uint32_t> all = test::allOf(samples);
     for (const double start : {0.1, 0.2}) {
       const auto found = refine(throughCircle(start), {samples, all}, [](const Vec3&) { return 0.01; });
       ASSERT_TRUE(found) << half_angle << " from " << start;

@@ -13,12 +13,12 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::measured;
 using test::patchOf;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kNoise = 0.001;
 
 const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};

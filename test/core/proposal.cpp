@@ -10,6 +10,7 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::measured;
 using test::patchOf;
 using test::proposalAt;
@@ -17,7 +18,6 @@ using test::samplesWith;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kNoise = 0.001;
 constexpr double kTurn = 0.08;  // rad, of normals
 const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
@@ -259,9 +259,7 @@ TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   const Samples nearly = noisy(patchOf(cone, 300, middle - 0.02, middle + 0.02, random), 11);
   const Samples can = samplesOfCan(), ball = noisy(patchOf(kBall, 300, random), 12);
   const auto rivalOf = [&params](const Shape& shape, const Samples& samples) {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t i = 0; i < samples.size(); ++i) all.push_back(i);
-    return bestRival(samples, HeldGains(samples.size(), 0.0f), all, rulesOf(params),
+    return bestRival(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rulesOf(params),
                      test::hypothesisOf(shape, samples));
   };
   ASSERT_TRUE(rivalOf(cone, nearly).kind);

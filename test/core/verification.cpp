@@ -13,12 +13,12 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::measured;
 using test::patchOf;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kNoise = 0.001;
 constexpr double kTurn = 0.06;  // rad, of normals
 constexpr double kDiameter = 1.0;

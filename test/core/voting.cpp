@@ -13,13 +13,12 @@ namespace primitect {
 namespace {
 
 using test::candidatesOf;
+using test::kDegree;
 using test::median;
 using test::patchOf;
 using test::pointOn;
 using test::shapesOf;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 TEST(SphereVotes, FindRadiusBetweenTwoBins) {
   Random random(21);

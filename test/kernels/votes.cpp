@@ -12,10 +12,9 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::pointOn;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// Votes for curved surfaces seen from one side.
 struct CurvedVotes {

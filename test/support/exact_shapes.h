@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/pair_voting.h"
@@ -15,6 +17,10 @@
 #include "primitect/primitives.h"
 
 namespace primitect::test {
+
+constexpr double kDegree = M_PI / 180.0;  ///< rad
+
+constexpr std::array<Kind, kKindCount> kKinds = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 
 struct SurfacePoint {
   Vec3 point, normal;
@@ -76,6 +82,13 @@ inline Samples samplesOf(const std::vector<SurfacePoint>& points) {
   return samples;
 }
 
+inline std::vector<std::uint32_t> allOf(const Samples& samples) {
+  std::vector<std::uint32_t> indices(samples.size());
+  std::iota(indices.begin(), indices.end(), 0u);
+  return indices;
+}
+
+/// Points with their normals, unorganized; NaN makes a missing point.
 inline Cloud cloudOf(const std::vector<SurfacePoint>& points) {
   Cloud cloud;
   cloud.reset(static_cast<std::uint32_t>(points.size()), 1, true);
