@@ -9,6 +9,7 @@
 #include "eval/nees.h"
 #include "primitect/detector.h"
 #include "test/support/fit_errors.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect::eval {
 namespace {

@@ -13,14 +13,15 @@ namespace primitect {
 namespace {
 
 using test::hypothesisOf;
+using test::kNoise;
+using test::kNoiseModel;
 using test::measured;
+using test::noisySamples;
 using test::patchOf;
 using test::samplesWith;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kNoise = 0.001;
-const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
 constexpr double kTurn = 0.08;  // rad, of normals
 constexpr std::size_t kFewest = 25;
 
@@ -42,8 +43,7 @@ std::vector<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samp
 
 Samples twoBalls() {
   Random random(21);
-  return samplesWith(kNoiseModel, measured(together(patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)),
-                                           kNoise, kTurn, random));
+  return noisySamples(together(patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)), kTurn, random);
 }
 
 using Indices = std::vector<std::uint32_t>;
@@ -99,7 +99,7 @@ TEST(Selection, TakesTheBetterOfTwoVersionsWhereverItStands) {
 TEST(Selection, CountsNearlyEqualPlanesOnce) {
   Random random(23);
   const Plane table = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
-  const Samples samples = samplesWith(kNoiseModel, measured(patchOf(table, 600, 0.2, random), kNoise, kTurn, random));
+  const Samples samples = noisySamples(patchOf(table, 600, 0.2, random), kTurn, random);
   // Versions as fits to parts of the table would give: shifted by a millimetre, turned by half a degree.
   std::vector<Shape> planes;
   for (const double turn : {-0.01, 0.0, 0.01}) {
@@ -113,9 +113,8 @@ TEST(Selection, CountsNearlyEqualPlanesOnce) {
 TEST(Selection, TakesTwoPlanesRatherThanOneConeOverTwoFaces) {
   Random random(24);
   const Plane front = {Vec3(0, 0, 1), Vec3(0, 0, -1)}, top = {Vec3(0, -0.1, 1.1), Vec3(0, -1, 0)};
-  const Samples samples = samplesWith(
-      kNoiseModel,
-      measured(together(patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)), kNoise, kTurn, random));
+  const Samples samples =
+      noisySamples(together(patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)), kTurn, random);
   // The cone that touches both faces along lines through their common edge.
   const Cone cone = {Vec3(-0.1, -0.1, 1.0), Vec3(1, 1, 1).normalized(), std::asin(std::sqrt(1.0 / 3.0))};
   ASSERT_GT(test::inlierCount(hypothesisOf(cone, samples)), kFewest);
@@ -159,7 +158,7 @@ TEST(Selection, LeavesOutAShapeThatFewerSamplesSpeakForThanAgainst) {
   // A sphere that touches a plane from behind fits in a small cap; around it, samples are near but off.
   Random random(27);
   const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
-  const Samples samples = samplesWith(kNoiseModel, measured(patchOf(plane, 800, 0.15, random), kNoise, kTurn, random));
+  const Samples samples = noisySamples(patchOf(plane, 800, 0.15, random), kTurn, random);
   const Sphere bulge = {Vec3(0, 0, 1.4), 0.4};
   ASSERT_GT(test::inlierCount(hypothesisOf(bulge, samples)), kFewest);
   EXPECT_TRUE(chosenOf({bulge}, samples).empty());

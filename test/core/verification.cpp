@@ -8,18 +8,18 @@
 #include <algorithm>
 
 #include "test/support/candidates.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect {
 namespace {
 
 using test::kDegree;
+using test::kNoise;
 using test::measured;
 using test::patchOf;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kNoise = 0.001;
 constexpr double kTurn = 0.06;  // rad, of normals
 constexpr double kDiameter = 1.0;
 

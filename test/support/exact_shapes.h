@@ -171,15 +171,4 @@ std::vector<SurfacePoint> wallOf(const Round& shape, int count, double low, doub
   return points;
 }
 
-/// Measured with noise of all axes alike (m, one standard deviation each) and normals turned about two axes (rad each).
-inline std::vector<SurfacePoint> measured(std::vector<SurfacePoint> points, double noise, double turn, Random& random) {
-  for (SurfacePoint& p : points) {
-    const Vec3 x = p.normal.unitOrthogonal(), y = p.normal.cross(x);
-    for (int axis = 0; axis < 3; ++axis) p.point[axis] += noise * random.gaussian();
-    const double along_x = turn * random.gaussian(), along_y = turn * random.gaussian();
-    p.normal = (p.normal + along_x * x + along_y * y).normalized();
-  }
-  return points;
-}
-
 }  // namespace primitect::test
