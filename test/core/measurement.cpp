@@ -6,33 +6,30 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <numeric>
 
 #include "primitect/detector.h"
 #include "test/support/hypotheses.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
 
+using test::kBall;
+using test::kCan;
 using test::kDegree;
+using test::kHat;
 using test::kNoise;
 using test::kNoiseModel;
 using test::measured;
 using test::patchOf;
-using test::together;
 
-const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
-const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
-const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
-const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
-
-/// A table with a ball, a can and a cone above it: 40,000 points, more than anything draws.
-constexpr std::uint32_t kPointsOf[] = {20000, 6000, 7000, 7000};
+/// 40,000 points, more than anything draws.
+constexpr std::array<int, kKindCount> kPointsOf = {20000, 6000, 7000, 7000};
 Cloud noisyTabletop() {
   Random random(41);
-  const auto curved = together(patchOf(kBall, 6000, random), together(patchOf(kCan, 7000, -0.1, 0.1, random),
-                                                                      patchOf(kHat, 7000, 0.03, 0.25, random)));
-  return test::cloudOf(measured(together(patchOf(kTable, 20000, 0.5, random), curved), kNoise, 0.05, random));
+  return test::cloudOf(measured(test::tabletop(kPointsOf, random), kNoise, 0.05, random));
 }
 
 /// Of the preset's detections one of each kind, found once for all tests.
