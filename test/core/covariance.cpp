@@ -29,7 +29,7 @@ double meanNormalisedError(Kind kind, int count, double noise, NoiseDirection di
     const Patch patch = test::randomPatch(kind, count, random);
     const NoisyFit fit(patch, noise, direction, random);
     if (!fit.shape) return std::nan("");
-    const Shape shape = withoutBias(*fit.shape, fit.measured, fit.noise(), direction);
+    const Shape shape = fit.unbiased();
     sum += test::normalisedError(shape, patch.truth, measureCovariance(shape, fit.measured, fit.noise()));
   }
   return sum / seeds;
@@ -109,7 +109,7 @@ TEST(PoseCovariance, IsThatOfTheErrorsInWhatCanBeObserved) {
       const Patch patch = test::randomPatch(kind, 300, random);
       const NoisyFit fit(patch, 0.004, NoiseDirection::any, random);
       ASSERT_TRUE(fit.shape);
-      const Shape shape = withoutBias(*fit.shape, fit.measured, fit.noise(), NoiseDirection::any);
+      const Shape shape = fit.unbiased();
       const Extent extent = measureExtent(shape, fit.measured);
       const Matrix6 covariance = poseOf(measureUncertainty(shape, extent, fit.measured, fit.noise()));
       const Gradient error = poseError(shape, patch.truth, extent.origin);
@@ -136,7 +136,7 @@ TEST(RadiusAndAngle, StrayAsTheyAreSaidTo) {
       const Patch patch = test::randomPatch(kind, 300, random);
       const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
       ASSERT_TRUE(fit.shape);
-      const Shape shape = withoutBias(*fit.shape, fit.measured, fit.noise(), NoiseDirection::any);
+      const Shape shape = fit.unbiased();
       const Extent extent = measureExtent(shape, fit.measured);
       const Uncertainty said = measureUncertainty(shape, extent, fit.measured, fit.noise());
       radius += std::pow((trueRadius(patch.truth, extent) - extent.radius) / said.radius_stddev, 2) / kSeeds;
