@@ -3,7 +3,6 @@
 // Noisy patches as a sensor sees them, and how far a fit to them is from the truth, in the fit's own parameters.
 #pragma once
 
-#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "core/covariance.h"
 #include "core/fitting.h"
 #include "test/support/exact_shapes.h"
+#include "test/support/linear_algebra.h"
 
 namespace primitect::test {
 
@@ -56,9 +56,7 @@ inline Gradient errorOf(const Shape& fit, const Shape& truth) {
 /// Normalised squared error over the number of parameters: 1 in the mean when the covariance is right.
 inline double normalisedError(const Shape& fit, const Shape& truth, const Hessian& covariance) {
   const int count = parameterCount(kindOf(fit));
-  const Eigen::VectorXd error = errorOf(fit, truth).head(count);
-  const Eigen::MatrixXd part = covariance.topLeftCorner(count, count);
-  return error.dot(part.fullPivLu().solve(error)) / count;
+  return normalisedSquare(errorOf(fit, truth).head(count), covariance.topLeftCorner(count, count)) / count;
 }
 
 struct Patch {
