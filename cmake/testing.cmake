@@ -8,6 +8,22 @@ if(NOT TARGET tests)
 endif()
 find_package(GTest REQUIRED)
 
+# What takes long to compile and nearly every test needs, compiled once: headers and decompositions.
+add_library(primitect_test_support STATIC EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/test/support/linear_algebra.cpp)
+target_link_libraries(primitect_test_support PUBLIC GTest::gtest)
+target_include_directories(primitect_test_support PRIVATE ${PROJECT_SOURCE_DIR})
+target_include_directories(primitect_test_support SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})
+target_precompile_headers(primitect_test_support PRIVATE
+  <gtest/gtest.h> <Eigen/Geometry> <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <string>
+  <variant> <vector>)
+# As executables are compiled: precompiled headers serve only what has the same flags.
+set_target_properties(primitect_test_support PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+target_compile_options(primitect_test_support PRIVATE -fPIE)
+if(PRIMITECT_SANITIZE)
+  # Address errors of the tests themselves are still found, undefined behaviour in the code under test only.
+  target_compile_options(primitect_test_support PUBLIC -fno-sanitize=undefined)
+endif()
+
 function(primitect_test name)
   if(PRIMITECT_ROS)
     catkin_add_gtest(test_${name} ${name}.cpp)
@@ -18,7 +34,11 @@ function(primitect_test name)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "ASAN_OPTIONS=alloc_dealloc_mismatch=0;UBSAN_OPTIONS=print_stacktrace=1")
     add_dependencies(tests test_${name})
   endif()
-  target_link_libraries(test_${name} GTest::gtest_main ${ARGN})
+  target_link_libraries(test_${name} primitect_test_support GTest::gtest_main ${ARGN})
+  # What comes with PCL is compiled with -fPIC, which the precompiled headers do not fit.
+  if(NOT "${ARGN}" MATCHES "pcl_common")
+    target_precompile_headers(test_${name} REUSE_FROM primitect_test_support)
+  endif()
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_include_directories(test_${name} SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})
   target_compile_definitions(test_${name} PRIVATE

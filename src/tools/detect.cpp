@@ -27,7 +27,9 @@ struct Targets {
   explicit Targets(const tools::DetectOptions& options)
       : json("--json", options.json, ".json", options.files, true),
         labels("--labels", options.labels, ".ply", options.files, false),
-        picture("--picture", options.picture, ".png", options.files, false) {}
+        picture("--picture", options.picture, ".png", options.files, false) {
+    tools::refuseSharedFiles({&json, &labels, &picture}, options.files.size());
+  }
 };
 
 /// A file's points as they are, and as the detector gets them.

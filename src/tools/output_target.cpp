@@ -43,7 +43,7 @@ std::vector<std::string> pathsInside(const std::string& option, const fs::path& 
 
 OutputTarget::OutputTarget(const std::string& option, const std::string& value, const std::string& extension,
                            const std::vector<std::string>& inputs, bool shared)
-    : value_(value) {
+    : option_(option), value_(value) {
   if (value.empty() || (shared && value == "-")) return;
   if (value.back() == '/' || fs::is_directory(value)) {
     paths_ = pathsInside(option, value, extension, inputs);
@@ -56,6 +56,22 @@ OutputTarget::OutputTarget(const std::string& option, const std::string& value, 
     throw std::invalid_argument(option + ": several files need a directory, '" + value + "' is none (append '/')");
   }
   refuseOverwriting(option, value, inputs);
+}
+
+void refuseSharedFiles(const std::vector<const OutputTarget*>& targets, std::size_t inputs) {
+  std::map<fs::path, const OutputTarget*> target_of;
+  for (const OutputTarget* target : targets) {
+    if (!target->wanted() || target->toStdout()) continue;
+    for (std::size_t i = 0; i < inputs; ++i) {
+      // Links and detours resolved, as far as the path exists.
+      std::error_code error;
+      const fs::path file = fs::weakly_canonical(fs::absolute(target->path(i)), error);
+      const OutputTarget* other = target_of.emplace(file, target).first->second;
+      if (other == target) continue;
+      throw std::invalid_argument(other->option() + " and " + target->option() + " would both be written to " +
+                                  target->path(i));
+    }
+  }
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {

@@ -18,6 +18,7 @@ class OutputTarget {
   OutputTarget(const std::string& option, const std::string& value, const std::string& extension,
                const std::vector<std::string>& inputs, bool shared);
 
+  const std::string& option() const { return option_; }
   bool wanted() const { return !value_.empty(); }
   bool toStdout() const { return value_ == "-"; }
   /// One file of its own for each input.
@@ -26,9 +27,12 @@ class OutputTarget {
   const std::string& path(std::size_t input) const { return perInput() ? paths_[input] : value_; }
 
  private:
-  std::string value_;
+  std::string option_, value_;
   std::vector<std::string> paths_;
 };
+
+/// Throws std::invalid_argument naming both options when two of the outputs of so many inputs would be the same file.
+void refuseSharedFiles(const std::vector<const OutputTarget*>& targets, std::size_t inputs);
 
 /// Writes a whole file; throws std::runtime_error naming it when that fails.
 void writeTextFile(const std::string& path, const std::string& text);

@@ -28,7 +28,7 @@ Errors meanErrors(Kind kind, double noise, NoiseDirection direction) {
     const Patch patch = test::randomPatch(kind, kPoints, random);
     const NoisyFit fit(patch, noise, direction, random);
     const Hessian covariance = measureCovariance(*fit.shape, fit.measured, fit.noise());
-    const Shape corrected = withoutBias(*fit.shape, fit.measured, fit.noise(), direction);
+    const Shape corrected = fit.unbiased();
     mean.before += test::normalisedError(*fit.shape, patch.truth, covariance) / kSeeds;
     mean.after += test::normalisedError(corrected, patch.truth, covariance) / kSeeds;
   }
@@ -44,7 +44,7 @@ TEST(Bias, OfASphereIsTheSquareOfTheNoiseOverTheRadius) {
     patch.points.push_back(test::pointOn(std::get<Sphere>(patch.truth), test::randomDirection(random)));
   }
   const NoisyFit fit(patch, kNoise, NoiseDirection::any, random);
-  const Shape corrected = withoutBias(*fit.shape, fit.measured, fit.noise(), NoiseDirection::any);
+  const Shape corrected = fit.unbiased();
   // Four standard deviations of the radius; Tukey's weights of 3 sigma cost a fifth of the points.
   const double tolerance = 4.0 * kNoise / std::sqrt(0.8 * kPoints);
   EXPECT_NEAR(std::get<Sphere>(*fit.shape).radius, kRadius + kNoise * kNoise / kRadius, tolerance);
@@ -76,8 +76,8 @@ TEST(Bias, IsTakenOutWhenTheNoiseIsSmallerThanSaid) {
   Random random(82);
   const Patch patch = test::randomPatch(Kind::sphere, kPoints, random);
   const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
-  const Sphere right = std::get<Sphere>(withoutBias(*fit.shape, fit.measured, fit.noise(), NoiseDirection::any));
-  const Sphere too_large = std::get<Sphere>(withoutBias(*fit.shape, fit.measured, fit.noise(2.0), NoiseDirection::any));
+  const Sphere right = std::get<Sphere>(fit.unbiased());
+  const Sphere too_large = std::get<Sphere>(fit.unbiased(2.0));
   const double taken_out = std::abs(std::get<Sphere>(*fit.shape).radius - right.radius);
   EXPECT_GT(taken_out, 1e-5);
   EXPECT_NEAR(too_large.radius, right.radius, 0.1 * taken_out);  // 5 %: squares beyond 3 sigma are cut off, and points

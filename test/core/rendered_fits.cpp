@@ -34,10 +34,9 @@ std::vector<Vec3> pointsOn(const synthetic::Frame& frame, const Cloud& cloud, in
 
 void addFit(const Shape& truth, const std::vector<Vec3>& points, std::array<Means, kKindCount>& means) {
   const auto noise = [](const Vec3& p) { return synthetic::axialSigma(p.z()); };
-  Samples samples;
-  for (const Vec3& p : points) test::append(samples, {p, Vec3::UnitZ()});
-  const std::vector<std::uint32_t> all = test::allOf(samples);
-  const auto fit = refine(truth, {samples, all}, [&](const Vec3& p) { return kInlierDeviations * noise(p); });
+  std::vector<test::SurfacePoint> surface;
+  for (const Vec3& p : points) surface.push_back({p, Vec3::UnitZ()});
+  const auto fit = test::fitTo(surface, truth, noise);
   ASSERT_TRUE(fit);
   const Shape shape = withoutBias(*fit, points, noise, NoiseDirection::along_ray);
   const Hessian covariance = measureCovariance(shape, points, noise);

@@ -36,9 +36,7 @@ Fit fitWithSharedNoise(const Patch& patch, double edge, Random& random) {
     }
     p.point += kNoise * deviation * p.normal;
   }
-  const Samples samples = test::samplesOf(points);
-  Fit fit{*refine(patch.truth, {samples, test::allOf(samples)}, [](const Vec3&) { return kInlierDeviations * kNoise; }),
-          {}};
+  Fit fit{*test::fitTo(points, patch.truth, noise), {}};
   for (const test::SurfacePoint& p : points) fit.points.push_back(p.point);
   return fit;
 }

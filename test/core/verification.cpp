@@ -167,6 +167,44 @@ TEST(Verification, KeepsPartsOfOnePlaneTogether) {
   EXPECT_GT(frame.segments()[0].inliers.size(), 770u);
 }
 
+/// Two tops of 10 cm, 2 cm apart, that lean away from each other by so much (rad): the left one's points first.
+std::vector<SurfacePoint> leaningTops(double lean, int count_each, Random& random) {
+  std::vector<SurfacePoint> points;
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 normal = Vec3(side * std::sin(lean), 0, -std::cos(lean));
+    for (int i = 0; i < count_each; ++i) {
+      const double along = side * random.uniform(0.01, 0.11), across = random.uniform(-0.05, 0.05);
+      points.push_back({Vec3(along, across, 1.0 + std::tan(lean) * std::abs(along)), normal});
+    }
+  }
+  return points;
+}
+
+TEST(Verification, FitsThePartsOfAPlaneApartOnceSamplesTellThatThereIsAGap) {
+  // The plane through both tops is at most 1.5 mm off, half of the tolerance; that of either is 6 mm off the other's
+  // far end.
+  constexpr double kLean = 0.03;
+  Random random(95);
+  // 30 samples of either: every gap among them is as wide as that between the tops.
+  const std::vector<SurfacePoint> few = noisy(leaningTops(kLean, 30, random), random);
+  const std::vector<SurfacePoint> many = noisy(leaningTops(kLean, 400, random), random);
+  const Plane both = {Vec3(0, 0, 1.0 + 0.06 * kLean), Vec3(0, 0, -1)};
+  Verification verification{Params()};
+  verification.begin({kDiameter, false});
+  verification.measureNoise(test::samplesOf(many),
+                            {test::candidate({Plane{many[0].point, many[0].normal}}, many[0], 9)});
+  verification.addRound(test::samplesOf(few), {test::candidate(both, few[0], 9.0)});
+  ASSERT_EQ(verification.segments().size(), 1u);
+  EXPECT_GT(verification.segments()[0].inliers.size(), 50u);
+  verification.conclude(test::samplesOf(many));
+  ASSERT_EQ(verification.segments().size(), 2u);
+  for (const Segment& segment : verification.segments()) {
+    const Plane& plane = std::get<Plane>(segment.candidate.shape);
+    EXPECT_NEAR(std::abs(plane.normal.x()), std::sin(kLean), 0.2 * kLean);
+    EXPECT_GT(segment.inliers.size(), 380u);  // most of 430, but those near the other's edge
+  }
+}
+
 TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   Random random(97);
   const test::TwoFaces box;

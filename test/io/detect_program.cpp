@@ -132,6 +132,15 @@ TEST_F(DetectProgram, RefusesOutputsThatCollide) {
   EXPECT_EQ(read(ball), ballPly(1.0));
 }
 
+TEST_F(DetectProgram, RefusesTwoOutputsInOneFile) {
+  const std::string file = path("result"), detour = path("no/../result");
+  expectUsageError(ball + " --json " + file + " --labels " + file, {"--json", "--labels", "result"});
+  expectUsageError(ball + " --json " + file + " --picture " + detour, {"--json", "--picture", "result"});
+  expectUsageError(ball + " --labels " + path("out/") + " --picture " + path("out/ball.ply"),
+                   {"--labels", "--picture"});
+  EXPECT_EQ(read(file), "");
+}
+
 TEST_F(DetectProgram, ReportsOutputsThatCannotBeWritten) {
   EXPECT_EQ(run(ball + " --json " + path("no/such/folder.json")), 1);
   EXPECT_NE(err.find("folder.json"), std::string::npos) << err;

@@ -3,8 +3,8 @@
 // Noisy patches as a sensor sees them, and how far a fit to them is from the truth, in the fit's own parameters.
 #pragma once
 
-#include <Eigen/LU>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,6 +12,7 @@
 #include "core/covariance.h"
 #include "core/fitting.h"
 #include "test/support/exact_shapes.h"
+#include "test/support/linear_algebra.h"
 
 namespace primitect::test {
 
@@ -55,9 +56,7 @@ inline Gradient errorOf(const Shape& fit, const Shape& truth) {
 /// Normalised squared error over the number of parameters: 1 in the mean when the covariance is right.
 inline double normalisedError(const Shape& fit, const Shape& truth, const Hessian& covariance) {
   const int count = parameterCount(kindOf(fit));
-  const Eigen::VectorXd error = errorOf(fit, truth).head(count);
-  const Eigen::MatrixXd part = covariance.topLeftCorner(count, count);
-  return error.dot(part.fullPivLu().solve(error)) / count;
+  return normalisedSquare(errorOf(fit, truth).head(count), covariance.topLeftCorner(count, count)) / count;
 }
 
 struct Patch {
@@ -90,28 +89,39 @@ inline Patch randomPatch(Kind kind, int count, Random& random) {
   return {cone, patchOf(cone, count, 0.05, 0.25, random)};
 }
 
+using Noise = std::function<double(const Vec3&)>;  ///< m, one standard deviation at a point
+
+/// The robust fit to all of the points, from the given start.
+inline std::optional<Shape> fitTo(const std::vector<SurfacePoint>& points, const Shape& start, const Noise& noise) {
+  const Samples samples = samplesOf(points);
+  const std::vector<std::uint32_t> all = allOf(samples);
+  return refine(start, {samples, all}, [&noise](const Vec3& p) { return kInlierDeviations * noise(p); });
+}
+
 /// A patch measured with noise of sigma (m), and what is fitted to it from the truth as start.
 struct NoisyFit {
   std::vector<Vec3> measured;
   std::optional<Shape> shape;
   double sigma;
+  NoiseDirection direction;
 
-  NoisyFit(const Patch& patch, double noise, NoiseDirection direction, Random& random) : sigma(noise) {
+  NoisyFit(const Patch& patch, double noise_sigma, NoiseDirection noise_direction, Random& random)
+      : sigma(noise_sigma), direction(noise_direction) {
     std::vector<SurfacePoint> points = patch.points;
     for (SurfacePoint& p : points) {
       p.point += direction == NoiseDirection::any
-                     ? Vec3(noise * Vec3(random.gaussian(), random.gaussian(), random.gaussian()))
-                     : Vec3(noise * random.gaussian() * p.point / p.point.z());
+                     ? Vec3(sigma * Vec3(random.gaussian(), random.gaussian(), random.gaussian()))
+                     : Vec3(sigma * random.gaussian() * p.point / p.point.z());
       measured.push_back(p.point);
     }
-    const Samples samples = samplesOf(points);
-    const std::vector<std::uint32_t> all = allOf(samples);
-    shape = refine(patch.truth, {samples, all}, [&](const Vec3&) { return kInlierDeviations * sigma; });
+    shape = fitTo(points, patch.truth, noise());
   }
 
-  std::function<double(const Vec3&)> noise(double scale = 1.0) const {
+  Noise noise(double scale = 1.0) const {
     return [value = scale * sigma](const Vec3&) { return value; };
   }
+  /// The shape with its bias taken out, as it is when the noise is said to be so many times what it is.
+  Shape unbiased(double scale = 1.0) const { return withoutBias(*shape, measured, noise(scale), direction); }
 };
 
 }  // namespace primitect::test

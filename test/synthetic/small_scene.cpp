@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace {
 
@@ -17,11 +18,21 @@ using namespace primitect::synthetic;
 
 constexpr std::uint64_t kSeeds = 12;
 
+/// The scenes of the seeds from 1 to kSeeds without noise, made once for all tests.
+const PaperScene& noiseless(std::uint64_t seed) {
+  static const std::vector<PaperScene> scenes = [] {
+    std::vector<PaperScene> made;
+    for (std::uint64_t s = 1; s <= kSeeds; ++s) made.push_back(makeSmallScene(s, 0.0));
+    return made;
+  }();
+  return scenes.at(seed - 1);
+}
+
 Vec3 pointAt(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
 
 TEST(SmallScene, HoldsSixToTenObjectsThatOwnAtMostTwoPercentEach) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const PaperScene scene = makeSmallScene(seed, 0.0);
+    const PaperScene& scene = noiseless(seed);
     EXPECT_GE(scene.truth.size(), 6u) << seed;  // one of them may be hidden as a whole
     EXPECT_LE(scene.truth.size(), 11u) << seed;
     for (std::size_t t = 1; t < scene.truth.size(); ++t) EXPECT_LE(scene.owned[t], 0.02 * 160801) << seed;
@@ -33,7 +44,7 @@ TEST(SmallScene, HasAboutEquallyManyOfEachKindAndOfEachSize) {
   std::array<int, kKindCount> of_kind = {};
   int objects = 0, below_the_middle = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const PaperScene scene = makeSmallScene(seed, 0.0);
+    const PaperScene& scene = noiseless(seed);
     for (std::size_t t = 1; t < scene.truth.size(); ++t) {
       ++of_kind[static_cast<std::size_t>(kindOf(scene.truth[t]))];
       ++objects;
@@ -48,7 +59,7 @@ TEST(SmallScene, HasAboutEquallyManyOfEachKindAndOfEachSize) {
 
 TEST(SmallScene, PutsNoiselessPointsOnTheUppermostShape) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const PaperScene scene = makeSmallScene(seed, 0.0);
+    const PaperScene& scene = noiseless(seed);
     for (std::size_t i = 0; i < scene.cloud.size(); ++i) {
       const Shape& shape = scene.truth[scene.surface[i]];
       // Coordinates up to 2 m in single precision, on slopes up to vertical.
@@ -60,7 +71,7 @@ TEST(SmallScene, PutsNoiselessPointsOnTheUppermostShape) {
 
 TEST(SmallScene, EndsItsCylindersAndCones) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const PaperScene scene = makeSmallScene(seed, 0.0);
+    const PaperScene& scene = noiseless(seed);
     for (std::size_t i = 0; i < scene.cloud.size(); ++i) {
       const Shape& shape = scene.truth[scene.surface[i]];
       if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
