@@ -44,12 +44,10 @@ bool grow(const Samples& samples, const HeldGains& held, const ProposalRules& ru
 }  // namespace
 
 void proposeHypotheses(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
-                       const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals) {
+                       const ProposalRules& rules, HeldGains held, std::vector<Hypothesis>& pool, Refusals& refusals) {
   constexpr float kWell = 0.4f;
   constexpr int kTries = 3;  // what so many stronger candidates could not explain, a weaker one will not
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
-  HeldGains held(samples.size(), 0.0f);
-  for (const Hypothesis& hypothesis : pool) hold(hypothesis, held);
   std::vector<int> failures(samples.size(), 0);
   std::vector<std::uint32_t> set, part;
   for (const Candidate& candidate : candidates) {

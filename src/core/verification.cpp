@@ -90,7 +90,7 @@ std::vector<std::uint32_t> Verification::unexplained() {
 }
 
 void Verification::propose(const std::vector<Candidate>& candidates) {
-  proposeHypotheses(samples_, graph_, candidates, rules(), pool_, refusals_);
+  proposeHypotheses(samples_, graph_, candidates, rules(), heldByChosen(), pool_, refusals_);
 }
 
 void Verification::conclude() {
