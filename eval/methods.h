@@ -17,6 +17,7 @@ struct Answer {
   std::vector<Shape> shapes;
   std::vector<Detection> detections;  ///< ours: all that is said of each shape; peers: empty
   double total_ms = 0.0;              ///< cloud in memory -> shapes; without reading files and without foreign normals
+  double cpu_ms = -1.0;               ///< peers: processor time of it; -1: unknown
   double vote_ms = -1.0;              ///< ours: the voting stage alone; -1: has none
   double prepare_ms = 0.0;            ///< part of total_ms that builds search trees
   std::string failure;                ///< not empty: the method gave up on this cloud, and why

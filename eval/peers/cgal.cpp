@@ -77,6 +77,7 @@ Answer parseAnswer(const std::string& text) {
   Answer answer;
   for (const nlohmann::ordered_json& shape : result.at("primitives")) answer.shapes.push_back(io::shapeFromJson(shape));
   answer.total_ms = result.at("total_ms").get<double>();
+  answer.cpu_ms = result.at("cpu_ms").get<double>();
   answer.prepare_ms = result.at("prepare_ms").get<double>();
   return answer;
 }

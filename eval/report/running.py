@@ -46,9 +46,9 @@ def measure_missing(compare, experiments, first_seed, path, lines, here):
     return ["A call failed, its clouds are missing: " + fault for fault in faults]
 
 
-def warn_if_stale(compare):
+def warn_if_stale(built):
     """Says so when the program is older than its sources."""
-    newer = environment.stale_sources(ROOT, compare)
+    newer = environment.stale_sources(ROOT, built)
     if newer:
-        print("Warning: %d sources, such as %s, are newer than compare; scripts/setup builds it anew."
-              % (len(newer), newer[0]), file=sys.stderr)
+        print("Warning: %d sources, such as %s, are newer than %s; scripts/setup builds it anew."
+              % (len(newer), newer[0], os.path.basename(built)), file=sys.stderr)

@@ -9,11 +9,12 @@
 #include "eval/nees.h"
 #include "primitect/detector.h"
 #include "test/support/fit_errors.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect::eval {
 namespace {
 
-constexpr Kind kKinds[] = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
+using test::kKinds;
 
 Shape moved(Shape shape, const Vec3& by) {
   if (Plane* plane = std::get_if<Plane>(&shape)) plane->point += by;

@@ -8,22 +8,12 @@
 #include <vector>
 
 #include "eval/labelled_cloud.h"
+#include "test/support/exact_shapes.h"
 
 namespace primitect::eval {
 
-constexpr double kDegree = 0.017453292519943295;
-
-/// Points with their normals, unorganized; NaN makes a missing point.
-inline Cloud cloudOf(const std::vector<std::pair<Vec3, Vec3>>& points) {
-  Cloud cloud;
-  cloud.reset(static_cast<std::uint32_t>(points.size()), 1, true);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f p = points[i].first.cast<float>(), n = points[i].second.cast<float>();
-    cloud.setPoint(i, p.x(), p.y(), p.z(), DepthRange());
-    cloud.setNormal(i, n.x(), n.y(), n.z());
-  }
-  return cloud;
-}
+using test::cloudOf;
+using test::kDegree;
 
 /// A unit vector, z tilted about x.
 inline Vec3 tilted(double degrees) { return {0.0, std::sin(degrees * kDegree), std::cos(degrees * kDegree)}; }
@@ -38,7 +28,7 @@ inline std::vector<int> labels(const std::vector<std::pair<int, int>>& runs) {
 /// Horizontal squares of ten points each, one above the other, a metre apart; a truth for each.
 inline LabelledCloud shelves(int count) {
   LabelledCloud result;
-  std::vector<std::pair<Vec3, Vec3>> points;
+  std::vector<test::SurfacePoint> points;
   for (int shelf = 0; shelf < count; ++shelf) {
     result.truth.push_back({Plane{Vec3(0, 0, 1.0 + shelf), Vec3::UnitZ()}});
     for (int i = 0; i < 10; ++i) {

@@ -59,6 +59,7 @@ TEST_F(Cgal, PreparingIsPartOfTheTime) {
   const Answer answer = answerOf("cgal", wallAnd(Sphere{{-0.3, 0.2, 1.5}, 0.25}));
   EXPECT_GT(answer.prepare_ms, 0.0);
   EXPECT_LT(answer.prepare_ms, answer.total_ms);
+  EXPECT_GT(answer.cpu_ms, 0.0);
 }
 
 TEST_F(Cgal, SameCloudAndSeedSameShapes) {

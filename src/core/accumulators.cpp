@@ -11,11 +11,21 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Index of the strongest bin, the first one of several; nothing when all are empty.
-std::optional<int> strongestBin(const std::vector<float>& bins) {
-  const auto strongest = std::max_element(bins.begin(), bins.end());
-  if (strongest == bins.end() || !(*strongest > 0.0f)) return std::nullopt;
-  return static_cast<int>(strongest - bins.begin());
+/// Index of the strongest bin; nothing when there cannot be more than `beaten` votes in any neighbourhood.
+std::optional<int> strongestBin(const kernels::Bins& bins, double beaten) {
+  // The total is a sum of floats, a neighbourhood's votes are a sum of doubles.
+  constexpr double kRounding = 1.001;
+  if (!(bins.most > 0.0f) || kRounding * bins.total < beaten) return std::nullopt;
+  return bins.strongest;
+}
+
+void clearCells(kernels::Bins& bins) {
+  for (std::size_t k = 0; k < bins.cell_count; ++k) {
+    bins.votes[bins.cells[k]] = 0.0f;
+    bins.votes[bins.cells[k] + 1] = 0.0f;
+  }
+  bins.cell_count = 0;
+  bins.total = bins.most = 0.0f;
 }
 
 }  // namespace
@@ -25,51 +35,62 @@ bool votes(Side side, const Params& params) {
 }
 
 Accumulators::Accumulators(const Params& params)
-    : radius_bins_(params.radius_bins),
-      phi_bins_(std::max(3, static_cast<int>(std::lround(M_PI / (params.angle_bin_deg * kDegree))))),
-      average_bins_(params.average_bins),
-      ball_(params.angle_bin_deg * kDegree) {
-  const std::size_t layers = static_cast<std::size_t>(radius_bins_);
-  const Curved empty = {std::vector<float>(layers), std::vector<float>(layers * phi_bins_),
-                        std::vector<float>(layers * ball_.binCount())};
-  if (votes(Side::convex, params)) convex_ = empty;
-  if (votes(Side::concave, params)) concave_ = empty;
-}
-
-void Accumulators::clear() {
-  plane_ = 0.0f;
-  for (Curved* side : {&convex_, &concave_}) {
-    for (std::vector<float>* bins : {&side->sphere, &side->cylinder, &side->cone}) {
-      std::fill(bins->begin(), bins->end(), 0.0f);
-    }
+    : average_bins_(params.average_bins), ball_(params.angle_bin_deg * kDegree) {
+  // Rows of whole cache lines, and a bin to spare: a vote for the last one is shared with nothing.
+  constexpr int kCacheLine = 16;
+  bins_.radius_bins = params.radius_bins;
+  bins_.radius_stride = (params.radius_bins / kCacheLine + 1) * kCacheLine;
+  bins_.phi_bins = std::max(3, static_cast<int>(std::lround(M_PI / (params.angle_bin_deg * kDegree))));
+  bins_.ball = ball_.view();
+  const std::size_t row = static_cast<std::size_t>(bins_.radius_stride);
+  for (const Side side : kSides) {
+    if (!votes(side, params)) continue;
+    CurvedMemory& memory = side == Side::convex ? convex_ : concave_;
+    memory.sphere.votes.resize(row);
+    memory.cylinder.votes.resize(row * bins_.phi_bins);
+    memory.cone.votes.resize(row * ball_.binCount());
   }
 }
 
-kernels::Accumulators Accumulators::view() {
-  return {&plane_,
-          convex_.view(),
-          concave_.view(),
-          radius_bins_,
-          phi_bins_,
-          ball_.binCount(),
-          static_cast<float>(1.0 / radius_bin_),
-          ball_.view()};
+kernels::Bins Accumulators::binsIn(Memory& memory, std::size_t cells) {
+  if (memory.cells.size() < cells) memory.cells.resize(cells);
+  return {memory.votes.data(), memory.cells.data(), 0, 0.0f, 0.0f, 0};
+}
+
+kernels::CurvedBins Accumulators::binsIn(CurvedMemory& memory, std::size_t samples) {
+  if (memory.sphere.votes.empty()) return {};
+  return {binsIn(memory.sphere, 2 * samples), binsIn(memory.cylinder, 2 * samples), binsIn(memory.cone, 4 * samples)};
+}
+
+void Accumulators::prepare(double radius_bin, std::size_t samples) {
+  clear();
+  radius_bin_ = radius_bin;
+  bins_.bins_per_meter = static_cast<float>(1.0 / radius_bin);
+  bins_.convex = binsIn(convex_, samples);
+  bins_.concave = binsIn(concave_, samples);
+}
+
+void Accumulators::clear() {
+  bins_.plane = 0.0f;
+  for (kernels::CurvedBins* side : {&bins_.convex, &bins_.concave}) {
+    for (kernels::Bins* kind : {&side->sphere, &side->cylinder, &side->cone}) clearCells(*kind);
+  }
 }
 
 std::optional<Peak> Accumulators::planePeak() const {
-  if (!(plane_ > 0.0f)) return std::nullopt;
+  if (!(bins_.plane > 0.0f)) return std::nullopt;
   Peak peak;
-  peak.votes = plane_;
+  peak.votes = bins_.plane;
   return peak;
 }
 
-std::optional<Peak> Accumulators::spherePeak(Side side) const {
-  const std::vector<float>& bins = of(side).sphere;
-  const std::optional<int> best = strongestBin(bins);
+std::optional<Peak> Accumulators::spherePeak(Side side, double beaten) const {
+  const std::optional<int> best = strongestBin(of(side).sphere, beaten);
   if (!best) return std::nullopt;
+  const float* bins = of(side).sphere.votes;
   Peak peak;
   double radius_sum = 0.0;
-  for (int bin = std::max(0, *best - 1); bin <= std::min(radius_bins_ - 1, *best + 1); ++bin) {
+  for (int bin = std::max(0, *best - 1); bin <= std::min(bins_.radius_bins - 1, *best + 1); ++bin) {
     peak.votes += bins[bin];
     radius_sum += bins[bin] * binRadius(bin);
   }
@@ -77,47 +98,48 @@ std::optional<Peak> Accumulators::spherePeak(Side side) const {
   return peak;
 }
 
-std::optional<Peak> Accumulators::cylinderPeak(Side side) const {
-  const std::vector<float>& bins = of(side).cylinder;
-  const std::optional<int> best = strongestBin(bins);
+std::optional<Peak> Accumulators::cylinderPeak(Side side, double beaten) const {
+  const std::optional<int> best = strongestBin(of(side).cylinder, beaten);
   if (!best) return std::nullopt;
-  const int best_layer = *best / phi_bins_;
-  const int best_phi = *best % phi_bins_;
+  const int best_phi = *best / bins_.radius_stride;
+  const int best_layer = *best % bins_.radius_stride;
   Peak peak;
   double radius_sum = 0.0;
   double step_sum = 0.0;
-  for (int layer = std::max(0, best_layer - 1); layer <= std::min(radius_bins_ - 1, best_layer + 1); ++layer) {
-    for (int step = -1; step <= 1; ++step) {
-      const double votes = bins[layer * phi_bins_ + (best_phi + step + phi_bins_) % phi_bins_];
+  for (int step = -1; step <= 1; ++step) {
+    const int phi = (best_phi + step + bins_.phi_bins) % bins_.phi_bins;
+    const float* bins = of(side).cylinder.votes + static_cast<std::ptrdiff_t>(phi) * bins_.radius_stride;
+    for (int layer = std::max(0, best_layer - 1); layer <= std::min(bins_.radius_bins - 1, best_layer + 1); ++layer) {
+      const double votes = bins[layer];
       peak.votes += votes;
       radius_sum += votes * binRadius(layer);
       step_sum += votes * step;
     }
   }
   peak.radius = average_bins_ ? radius_sum / peak.votes : binRadius(best_layer);
-  peak.angle = (best_phi + (average_bins_ ? step_sum / peak.votes : 0.0)) * M_PI / phi_bins_;
+  peak.angle = (best_phi + (average_bins_ ? step_sum / peak.votes : 0.0)) * M_PI / bins_.phi_bins;
   return peak;
 }
 
-std::optional<Peak> Accumulators::conePeak(Side side) const {
-  const std::vector<float>& layers = of(side).cone;
-  const std::optional<int> best = strongestBin(layers);
+std::optional<Peak> Accumulators::conePeak(Side side, double beaten) const {
+  const std::optional<int> best = strongestBin(of(side).cone, beaten);
   if (!best) return std::nullopt;
-  const int best_layer = *best / ball_.binCount();
-  const int best_direction = *best % ball_.binCount();
+  const int best_direction = *best / bins_.radius_stride;
+  const int best_layer = *best % bins_.radius_stride;
   const Vec3& axis = ball_.direction(best_direction);
   Peak peak;
   double radius_sum = 0.0;
   Vec3 axis_sum = Vec3::Zero();
-  for (int layer = std::max(0, best_layer - 1); layer <= std::min(radius_bins_ - 1, best_layer + 1); ++layer) {
-    const float* bins = layers.data() + static_cast<std::size_t>(layer) * ball_.binCount();
-    const auto addBin = [&](int bin) {
-      const Vec3& direction = ball_.direction(bin);
-      peak.votes += bins[bin];
-      radius_sum += bins[bin] * binRadius(layer);
-      axis_sum += (direction.dot(axis) < 0.0 ? -bins[bin] : bins[bin]) * direction;
-    };
-    for (const int bin : ball_.neighborhood(best_direction)) addBin(bin);
+  for (const int neighbor : ball_.neighborhood(best_direction)) {
+    const float* bins = of(side).cone.votes + static_cast<std::ptrdiff_t>(neighbor) * bins_.radius_stride;
+    double votes = 0.0;
+    for (int layer = std::max(0, best_layer - 1); layer <= std::min(bins_.radius_bins - 1, best_layer + 1); ++layer) {
+      votes += bins[layer];
+      radius_sum += bins[layer] * binRadius(layer);
+    }
+    const Vec3& direction = ball_.direction(neighbor);
+    peak.votes += votes;
+    axis_sum += (direction.dot(axis) < 0.0 ? -votes : votes) * direction;
   }
   peak.radius = average_bins_ ? radius_sum / peak.votes : binRadius(best_layer);
   peak.axis = average_bins_ ? Vec3(axis_sum.normalized()) : axis;

@@ -3,6 +3,7 @@
 // The accumulator arrays of one reference, and reading the strongest shape of each kind from them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -28,41 +29,49 @@ constexpr Side kSides[] = {Side::convex, Side::concave};
 bool votes(Side side, const Params& params);
 
 /// Bins of all four kinds (paper, table I and sec. "Choice of parameters"), of the curved ones for each side that
-/// votes.
+/// votes. A reference votes for few of the many bins: only these are searched and cleared.
 class Accumulators {
  public:
   explicit Accumulators(const Params& params);
+  Accumulators(Accumulators&&) = default;
+  Accumulators& operator=(Accumulators&&) = default;
 
-  /// Width of the bins of R and s_r (m), 1 at first.
-  void setRadiusBin(double radius_bin) { radius_bin_ = radius_bin; }
+  /// Gets ready for references that are paired with so many samples each; width of the bins of R and s_r in m.
+  void prepare(double radius_bin, std::size_t samples);
 
   void clear();
-  kernels::Accumulators view();
 
-  /// Nothing when there are no votes.
+  /// Where the kernels vote, after prepare() and clear().
+  kernels::Accumulators& bins() { return bins_; }
+
+  /// Nothing when there are no votes, or all of them together are hardly more than `beaten`.
   std::optional<Peak> planePeak() const;
-  std::optional<Peak> spherePeak(Side side) const;
-  std::optional<Peak> cylinderPeak(Side side) const;
-  std::optional<Peak> conePeak(Side side) const;
+  std::optional<Peak> spherePeak(Side side, double beaten = 0.0) const;
+  std::optional<Peak> cylinderPeak(Side side, double beaten = 0.0) const;
+  std::optional<Peak> conePeak(Side side, double beaten = 0.0) const;
 
  private:
+  struct Memory {
+    std::vector<float> votes;
+    std::vector<int> cells;
+  };
   /// Empty where the side does not vote.
-  struct Curved {
-    std::vector<float> sphere, cylinder, cone;
-
-    kernels::CurvedBins view() { return {sphere.data(), cylinder.data(), cone.data()}; }
+  struct CurvedMemory {
+    Memory sphere, cylinder, cone;
   };
 
-  const Curved& of(Side side) const { return side == Side::convex ? convex_ : concave_; }
+  /// Bins in this memory, which then has room for the cells of a reference's votes.
+  static kernels::Bins binsIn(Memory& memory, std::size_t cells);
+  static kernels::CurvedBins binsIn(CurvedMemory& memory, std::size_t samples);
+
+  const kernels::CurvedBins& of(Side side) const { return side == Side::convex ? bins_.convex : bins_.concave; }
   double binRadius(int bin) const { return (bin + 0.5) * radius_bin_; }
 
   double radius_bin_ = 1.0;
-  int radius_bins_;
-  int phi_bins_;
   bool average_bins_;  ///< peaks are weighted averages over neighbouring bins (else: bin centres)
   AxisBall ball_;
-  float plane_ = 0.0f;
-  Curved convex_, concave_;
+  CurvedMemory convex_, concave_;
+  kernels::Accumulators bins_ = {};
 };
 
 }  // namespace primitect

@@ -26,50 +26,48 @@ bool enabled(Kind kind, const Params& params) {
 
 /// Where a fit begins.
 struct Start {
-  std::optional<Shape> shape;
+  Shape shape;
   bool concave;
 };
 
 /// The hypothesis itself, a plane, and every curved kind on every side that is wanted.
-std::vector<Start> startsFor(const Hypothesis& hypothesis, const SampleSet& set, const ProposalRules& rules) {
+std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& points, const ProposalRules& rules) {
   const Params& params = rules.limits.params;
+  const Moments moments = momentsOf(points);
+  const bool curved = curvesEnough(moments, points.meanSigma(), rules.noise);
   std::vector<Start> starts;
-  const bool curved = curvesEnough(set, rules.noise);
   const auto add = [&](const std::optional<Shape>& shape, bool concave) {
     if (!shape || !enabled(kindOf(*shape), params)) return;
-    if (curved || kindOf(*shape) == Kind::plane) starts.push_back({shape, concave});
+    if (curved || kindOf(*shape) == Kind::plane) starts.push_back({*shape, concave});
   };
   add(hypothesis.shape, hypothesis.concave);
-  add(fitFromMoments(Kind::plane, set), false);
+  add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {
     if (!curved) break;
     if (params.convexity == (concave ? "convex" : "concave")) continue;
     for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
-      add(fitFromMoments(kind, {set.samples, set.indices, concave ? -1.0 : 1.0}), concave);
+      add(fitFromMoments(kind, concave ? flipped(moments) : moments), concave);
     }
   }
   return starts;
-}
-
-std::optional<Shape> refined(const std::optional<Shape>& start, const SampleSet& set, const NoiseModel& noise,
-                             double widen) {
-  if (!start) return std::nullopt;
-  constexpr double kSmallStep = 1e-5;  // m, rad: far below what few samples can tell
-  return refine(
-      *start, set, [&](const Vec3& p) { return widen * kInlierDeviations * noise.at(p); }, kSmallStep);
 }
 
 /// Calls use(trial) with the fit from each start that ends within the limits, evaluated; counts those that do not.
 template <class Use>
 int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
            const ProposalRules& rules, const Hypothesis& hypothesis, const Use& use) {
+  // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
+  // below what few samples can tell.
+  constexpr RefineRules kQuick = {1.0, 2, 8, 1e-5};
+  RefineRules refine_rules = kQuick;
+  refine_rules.widen = rules.widen;
+  FitPoints points;
+  points.gather({samples, set});
   int refused = 0;
-  Hypothesis trial = hypothesis;
-  for (const Start& start : startsFor(hypothesis, {samples, set}, rules)) {
-    const SampleSet sample_set = {samples, set, start.concave ? -1.0 : 1.0};
-    // First with the tolerance that gathered the samples, so that a poor start is not left where it is.
-    const std::optional<Shape> shape =
-        refined(refined(start.shape, sample_set, rules.noise, rules.widen), sample_set, rules.noise, 1.0);
+  Hypothesis trial;
+  trial.votes = hypothesis.votes;
+  for (const Start& start : startsFor(hypothesis, points, rules)) {
+    const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
     if (shape && !rules.limits.hold(*shape)) ++refused;
     if (!shape || !rules.limits.hold(*shape)) continue;
     trial.shape = *shape;
@@ -90,10 +88,11 @@ bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vecto
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
   double best = 0.0;
   Hypothesis winner;
-  const int refused = fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
+  const int refused = fitAll(samples, held, set, rules, hypothesis, [&](Hypothesis& trial) {
     if (!(trial.score > best)) return;
     best = trial.score;
-    winner = trial;
+    std::swap(winner, trial);
+    trial.votes = winner.votes;
   });
   if (refusals) (*refusals)[Refusal::limits] += refused;
   if (best > 0.0) hypothesis = std::move(winner);
@@ -104,7 +103,9 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector
                 const ProposalRules& rules, const Hypothesis& hypothesis) {
   constexpr double kClose = 0.05;
   Rival rival;
-  Hypothesis own = hypothesis;
+  Hypothesis own;
+  own.shape = hypothesis.shape;
+  own.concave = hypothesis.concave;
   evaluate(samples, held, 1.0, own);
   double best = 0.0;
   fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {

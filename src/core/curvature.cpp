@@ -9,31 +9,17 @@
 
 namespace primitect {
 
-Curvature curvatureOf(const SampleSet& set) {
-  Vec3 normals = Vec3::Zero(), mean = Vec3::Zero();
-  double sigma = 0.0;
-  for (std::size_t k = 0; k < set.size(); ++k) {
-    normals += set.normal(k);
-    mean += set.point(k);
-    sigma += set.samples.sigma[set.indices[k]];
-  }
-  const double count = static_cast<double>(set.size());
-  mean /= count;
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (std::size_t k = 0; k < set.size(); ++k) {
-    const Vec3 offset = set.point(k) - mean;
-    scatter.noalias() += offset * offset.transpose();
-  }
+Curvature curvatureOf(const Moments& moments, double sigma) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(scatter, Eigen::EigenvaluesOnly);
-  return {1.0 - normals.norm() / count, std::sqrt(std::max(0.0, solver.eigenvalues()[0] / count)) / (sigma / count)};
+  solver.computeDirect(moments.points, Eigen::EigenvaluesOnly);
+  return {1.0 - moments.mean_normal.norm(), std::sqrt(std::max(0.0, solver.eigenvalues()[0])) / sigma};
 }
 
-bool curvesEnough(const SampleSet& set, const NoiseModel& noise) {
+bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise) {
   constexpr double kLeastTurn = 0.012, kLeastTurnOfDepth = 0.03;  // arcs of 31 and 49 deg
   constexpr double kLeastBulgeOfDepth = 2.0;
-  if (set.size() == 0) return false;
-  const Curvature curvature = curvatureOf(set);
+  if (moments.count == 0) return false;
+  const Curvature curvature = curvatureOf(moments, sigma);
   const double normal_noise = noise.angle / kNormalDeviations;
   if (noise.depth_share <= 0.0) return curvature.turn > kLeastTurn;
   return curvature.turn > kLeastTurnOfDepth + normal_noise * normal_noise && curvature.bulge > kLeastBulgeOfDepth;

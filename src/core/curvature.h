@@ -14,11 +14,11 @@ struct Curvature {
   double bulge;  ///< standard deviation across the plane through the points, in those of the noise
 };
 
-/// Of at least one sample.
-Curvature curvatureOf(const SampleSet& set);
+/// Of at least one point with a normal; sigma: noise of their distance to a surface (m).
+Curvature curvatureOf(const Moments& moments, double sigma);
 
 /// A patch so small that all its normals are nearly one looks like a plane with noisy normals. The noise of depth
 /// cameras moreover comes in waves that look like curved patches: they need a longer arc, and to rise above the noise.
-bool curvesEnough(const SampleSet& set, const NoiseModel& noise);
+bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise);
 
 }  // namespace primitect

@@ -4,12 +4,14 @@
 #include "core/dense_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
 
 #include "core/fitting.h"
+#include "core/flat.h"
 
 namespace primitect {
 
@@ -78,19 +80,23 @@ namespace {
 constexpr double kConePrice = 0.005;
 
 /// Sum of 1 - (distance / tolerance)^2 over the points within the tolerance.
-double fitOf(const Shape& shape, const Samples& points) {
+double fitOf(const Shape& shape, const FitPoints& points) {
+  constexpr std::size_t kAtOnce = 256;
+  std::array<float, kAtOnce> distance;
+  const kernels::FlatShape flat = flattened(shape, points.origin());
+  const kernels::FitPoints p = points.view();
   double sum = 0.0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double share = distance(shape, points.point(k)) / (kInlierDeviations * points.sigma[k]);
-    if (std::abs(share) < 1.0) sum += 1.0 - share * share;
+  for (std::size_t begin = 0; begin < p.count; begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, p.count - begin);
+    kernels::loops().distances(flat, p.x + begin, p.y + begin, p.z + begin, count, distance.data());
+    std::array<float, kernels::kLanes> some = {};
+    for (std::size_t k = 0; k < count; ++k) {
+      const float share = distance[k] * p.inverse_tolerance[begin + k];
+      some[k % kernels::kLanes] += share * share < 1.0f ? 1.0f - share * share : 0.0f;
+    }
+    for (const float of_lane : some) sum += of_lane;
   }
   return sum;
-}
-
-Vec3 meanOf(const Samples& points) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < points.size(); ++k) sum += points.point(k);
-  return sum / static_cast<double>(points.size());
 }
 
 /// Slightly tapered either way: where the search for a cone on a cylinder's points begins.
@@ -109,19 +115,22 @@ Shape straightened(const Cone& cone, const Vec3& middle) {
 
 }  // namespace
 
-Shape refineOnPoints(const Shape& shape, const Samples& points, const NoiseModel& noise, const Limits& limits) {
-  std::vector<std::uint32_t> all(points.size());
+Shape refineOnPoints(const Shape& shape, const Samples& samples, const Limits& limits) {
+  std::vector<std::uint32_t> all(samples.size());
   std::iota(all.begin(), all.end(), 0u);
+  FitPoints points;
+  points.gather({samples, all});
   std::vector<Shape> starts = {shape};
+  // Any point amid the others.
+  const Vec3 middle = points.origin();
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    for (const Shape& cone : tapered(*cylinder, meanOf(points))) starts.push_back(cone);
+    for (const Shape& cone : tapered(*cylinder, middle)) starts.push_back(cone);
   }
-  if (const Cone* cone = std::get_if<Cone>(&shape)) starts.push_back(straightened(*cone, meanOf(points)));
+  if (const Cone* cone = std::get_if<Cone>(&shape)) starts.push_back(straightened(*cone, middle));
   Shape best = shape;
   double best_fit = -1.0;
   for (const Shape& start : starts) {
-    const std::optional<Shape> fitted =
-        refine(start, {points, all}, [&](const Vec3& p) { return kInlierDeviations * noise.at(p); });
+    const std::optional<Shape> fitted = refine(start, points);
     if (!fitted || !limits.hold(*fitted)) continue;
     const double price = kindOf(*fitted) == Kind::cone ? kConePrice * static_cast<double>(points.size()) : 0.0;
     const double fit = fitOf(*fitted, points) - price;

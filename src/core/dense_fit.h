@@ -26,8 +26,8 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
 /// As samples without normals.
 Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise);
 
-/// The shape fitted to its points; the old one when that fails or breaks the limits. On many points a cylinder and a
-/// cone that tapers little can be told apart: both are tried for either.
-Shape refineOnPoints(const Shape& shape, const Samples& points, const NoiseModel& noise, const Limits& limits);
+/// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many
+/// points a cylinder and a cone that tapers little can be told apart: both are tried for either.
+Shape refineOnPoints(const Shape& shape, const Samples& points, const Limits& limits);
 
 }  // namespace primitect

@@ -15,34 +15,6 @@ namespace {
 /// Below this share of what is possible, a spread counts as none.
 constexpr double kNoSpread = 1e-9;
 
-/// Means over the set; points are taken relative to the mean point, for the sake of rounding.
-struct Moments {
-  Vec3 mean_point = Vec3::Zero();
-  Vec3 mean_normal = Vec3::Zero();
-  Eigen::Matrix3d points = Eigen::Matrix3d::Zero();   ///< E[p p'], p from the mean point
-  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();  ///< E[n n']
-  Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();    ///< E[p n']
-  Vec3 tangent = Vec3::Zero();                        ///< E[n n' p]
-};
-
-Moments momentsOf(const SampleSet& set) {
-  Moments m;
-  const double weight = 1.0 / static_cast<double>(set.size());
-  for (std::size_t k = 0; k < set.size(); ++k) {
-    m.mean_point += weight * set.point(k);
-    m.mean_normal += weight * set.normal(k);
-  }
-  for (std::size_t k = 0; k < set.size(); ++k) {
-    const Vec3 p = set.point(k) - m.mean_point;
-    const Vec3 n = set.normal(k);
-    m.points.noalias() += weight * p * p.transpose();
-    m.normals.noalias() += weight * n * n.transpose();
-    m.mixed.noalias() += weight * p * n.transpose();
-    m.tangent += weight * n.dot(p) * n;
-  }
-  return m;
-}
-
 /// Unit eigenvector of the smallest eigenvalue.
 Vec3 leastDirection(const Eigen::Matrix3d& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric).eigenvectors().col(0);
@@ -83,9 +55,37 @@ std::optional<Shape> coneFrom(const Moments& m) {
 
 }  // namespace
 
-std::optional<Shape> fitFromMoments(Kind kind, const SampleSet& set) {
-  if (set.size() < 3) return std::nullopt;
-  const Moments m = momentsOf(set);
+Moments momentsOf(const FitPoints& points) {
+  const kernels::MomentSums sums = points.moments();
+  const double weight = 1.0 / static_cast<double>(points.size());
+  const auto symmetric = [&](int row, int column) {
+    return sums.product[std::max(row, column)][std::min(row, column)];
+  };
+  Moments m;
+  m.count = points.size();
+  m.origin = points.origin();
+  const Vec3 offset = weight * Vec3(sums.sum[0], sums.sum[1], sums.sum[2]);
+  m.mean_point = m.origin + offset;
+  m.mean_normal = weight * Vec3(sums.sum[3], sums.sum[4], sums.sum[5]);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      m.points(row, column) = weight * symmetric(row, column) - offset[row] * offset[column];
+      m.normals(row, column) = weight * symmetric(3 + row, 3 + column);
+      m.mixed(row, column) = weight * symmetric(row, 3 + column) - offset[row] * m.mean_normal[column];
+    }
+  }
+  m.tangent = weight * Vec3(sums.tangent[0], sums.tangent[1], sums.tangent[2]) - m.normals * offset;
+  return m;
+}
+
+Moments flipped(Moments moments) {
+  moments.mean_normal = -moments.mean_normal;
+  moments.mixed = -moments.mixed;
+  return moments;
+}
+
+std::optional<Shape> fitFromMoments(Kind kind, const Moments& m) {
+  if (m.count < 3) return std::nullopt;
   switch (kind) {
     case Kind::plane:
       return planeFrom(m);

@@ -3,26 +3,32 @@
 // Shapes of a wanted kind through given points: a start from moments of points and normals, then robust least squares.
 #pragma once
 
-#include <cstdint>
+#include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <optional>
-#include <vector>
 
-#include "core/samples.h"
+#include "core/fit_points.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
 
-/// Some of the samples, by index.
-struct SampleSet {
-  const Samples& samples;
-  const std::vector<std::uint32_t>& indices;
-  double side = 1.0;  ///< -1: seen from inside, the normals are turned round to point out of the shape
-
-  std::size_t size() const { return indices.size(); }
-  Vec3 point(std::size_t k) const { return samples.point(indices[k]); }
-  Vec3 normal(std::size_t k) const { return side * samples.normal(indices[k]); }
+/// Means over points p, relative to their origin, and normals n.
+struct Moments {
+  std::size_t count = 0;
+  Vec3 origin = Vec3::Zero();  ///< near the mean point
+  Vec3 mean_point = Vec3::Zero();
+  Vec3 mean_normal = Vec3::Zero();
+  Eigen::Matrix3d points = Eigen::Matrix3d::Zero();   ///< E[p p'], p from the mean point
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();  ///< E[n n']
+  Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();    ///< E[p n'], p from the mean point
+  Vec3 tangent = Vec3::Zero();                        ///< E[n n' p], p from the mean point
 };
+
+Moments momentsOf(const FitPoints& points);
+
+/// The same surface seen from inside: the normals are turned round to point out of the shape.
+Moments flipped(Moments moments);
 
 /// Shape of this kind from moments of points p and normals n, without iteration:
 ///   plane     the least spread of p
@@ -30,12 +36,22 @@ struct SampleSet {
 ///   cylinder  axis: the least of E[n n'], then the sphere's equation across it
 ///   cone      axis: the least spread of n; apex: where the tangent planes meet, sum(n n') c = sum(n n' p)
 /// Nothing when the points do not determine it.
-std::optional<Shape> fitFromMoments(Kind kind, const SampleSet& set);
+std::optional<Shape> fitFromMoments(Kind kind, const Moments& moments);
+
+/// How long the search goes on.
+struct RefineRules {
+  double widen = 1.0;        ///< times the tolerance in the first steps, so that a poor start is not left where it is
+  int wide_steps = 0;        ///< how many these are
+  int most_steps = 10;       ///< these included
+  double small_step = 1e-7;  ///< m, rad: after a step smaller than this there is no other
+};
 
 /// The shape with least sum of Tukey's biweight of geometric distances, by Gauss-Newton from the given start; points
-/// beyond tolerance(p) (m) have no influence. It ends when a step (m, rad) is small. Nothing when it does not end in a
-/// finite shape.
+/// beyond their tolerance have no influence. Nothing when it does not end in a finite shape.
+std::optional<Shape> refine(const Shape& start, const FitPoints& points, const RefineRules& rules = {});
+
+/// The same for samples with another tolerance (m).
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
-                            const std::function<double(const Vec3&)>& tolerance, double small_step = 1e-7);
+                            const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules = {});
 
 }  // namespace primitect

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/residuals.h"
 #include "kernels/loops.h"
 #include "primitect/primitives.h"
 
@@ -59,6 +60,11 @@ inline kernels::FlatShape flattened(const Cone& cone, const Vec3& origin) {
 
 inline kernels::FlatShape flattened(const Shape& shape, const Vec3& origin) {
   return std::visit([&origin](const auto& s) { return flattened(s, origin); }, shape);
+}
+
+inline kernels::FlatTurn flattened(const Turn& turn) {
+  const Eigen::Vector3f first = turn.first.cast<float>(), second = turn.second.cast<float>();
+  return {first.x(), first.y(), first.z(), second.x(), second.y(), second.z()};
 }
 
 }  // namespace primitect

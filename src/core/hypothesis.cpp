@@ -1,43 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// One pass over the samples for each kind; see hypothesis.h.
+// One pass over the blocks of samples near a shape; see hypothesis.h.
 #include "core/hypothesis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "core/matchers.h"
+#include "core/flat.h"
 
 namespace primitect {
 namespace {
 
-/// Up to twice the tolerance a sample counts, though against the shape from the tolerance on; never more than this.
-constexpr float kLeastGain = -1.2f;
-constexpr float kReach = 2.0f;
-
-template <class Matcher>
-double collect(const Matcher& match, float side, float widen, const Samples& samples, const HeldGains& held,
-               std::vector<Support>& support) {
-  /// What a normal at the noise's limit takes from the gain; distance takes 1 at its limit.
-  constexpr float kNormalShare = 0.8f;
-  /// Normals up to this many times the limit speak against the shape; farther ones belong to another surface.
-  constexpr float kAngleReach = 2.5f, kOtherSurface = 0.6f;
-  const float widest = widen * static_cast<float>(kInlierDeviations);
+/// Takes the gains of a block of samples into the support; returns their sum.
+double take(const float* gains, const SampleBlock& block, const HeldGains& held, Hypothesis& hypothesis) {
+  std::vector<Support>& support = hypothesis.support;
+  const std::size_t before = support.size();
+  support.resize(before + block.end - block.begin);
+  Support* next = support.data() + before;
   double sum = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Match m = match({samples.x[i], samples.y[i], samples.z[i]}, {samples.nx[i], samples.ny[i], samples.nz[i]});
-    const float limit = widest * samples.sigma[i];
-    const float share = m.distance / limit;
-    // 1 - cos of an angle is half its square.
-    const float turn = 2.0f * (1.0f - side * m.cosine);
-    const float normal_limit = samples.normal_limit[i];
-    const float farthest = std::min(kAngleReach * normal_limit, kOtherSurface);
-    if (!(std::fabs(share) < kReach && turn < farthest * farthest)) continue;
-    const float normal_loss = kNormalShare * turn / (normal_limit * normal_limit);
-    const float gain = std::max(1.0f - share * share - normal_loss, kLeastGain);
-    support.push_back({static_cast<std::uint32_t>(i), gain});
-    if (gain > 0.0f || held[i] < kWellExplained) sum += gain;
+  for (std::size_t i = block.begin; i < block.end; ++i) {
+    const float gain = gains[i - block.begin];
+    *next = {static_cast<std::uint32_t>(i), gain};
+    next += gain > kernels::kNoGain ? 1 : 0;
+    hypothesis.inliers += gain > 0.0f ? 1 : 0;
+    sum += gain > 0.0f || (gain > kernels::kNoGain && held[i] < kWellExplained) ? gain : 0.0f;
   }
+  support.resize(static_cast<std::size_t>(next - support.data()));
   return sum;
 }
 
@@ -52,15 +41,28 @@ double priceOf(Kind kind, double inliers) {
 
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
   hypothesis.support.clear();
+  hypothesis.inliers = 0;
+  hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
+  const kernels::FlatShape shape = flattened(hypothesis.shape, Vec3::Zero());
   const float side = hypothesis.concave ? -1.0f : 1.0f;
-  const double gain = std::visit(
-      [&](const auto& shape) {
-        return collect(matcherOf(shape), side, static_cast<float>(widen), samples, held, hypothesis.support);
-      },
-      hypothesis.shape);
-  const auto inliers = std::count_if(hypothesis.support.begin(), hypothesis.support.end(),
-                                     [](const Support& support) { return support.gain > 0.0f; });
-  hypothesis.score = gain - priceOf(kindOf(hypothesis.shape), static_cast<double>(inliers));
+  const float scale = static_cast<float>(1.0 / widen);
+  std::array<float, SampleBlocks::kSize> gains;
+  double sum = 0.0;
+  samples.blocks.forNear(shape, static_cast<float>(widen), [&](const SampleBlock& block) {
+    kernels::loops().gains(shape, side, scale, samples.judged(), block.begin, block.end, gains.data());
+    const std::size_t before = hypothesis.support.size();
+    sum += take(gains.data(), block, held, hypothesis);
+    if (hypothesis.support.size() > before) hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
+  });
+  hypothesis.score = sum - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
+}
+
+bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {
+  const std::size_t count = std::min(a.blocks.size(), b.blocks.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    if (a.blocks[k] & b.blocks[k]) return true;
+  }
+  return false;
 }
 
 void hold(const Hypothesis& hypothesis, HeldGains& held) {

@@ -22,10 +22,15 @@ struct Support {
 struct Hypothesis {
   Shape shape;
   bool concave = false;
-  double votes = 0.0;            ///< of the candidate that proposed it
-  std::vector<Support> support;  ///< in the order of the samples
-  double score = 0.0;            ///< sum of the gains less the price of the shape's parameters
+  double votes = 0.0;                 ///< of the candidate that proposed it
+  std::vector<Support> support;       ///< in the order of the samples
+  double score = 0.0;                 ///< sum of the gains less the price of the shape's parameters
+  std::size_t inliers = 0;            ///< samples with a gain above 0
+  std::vector<std::uint64_t> blocks;  ///< bits: in which blocks of samples there is support
 };
+
+/// False when they have no sample in common.
+bool mayOverlap(const Hypothesis& a, const Hypothesis& b);
 
 /// The best gain that any hypothesis has at each sample; nothing yet: 0.
 using HeldGains = std::vector<float>;

@@ -22,7 +22,7 @@ Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseMo
     : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape, const Samples& samples, const SeenPoints& points) const {
-  const Shape fit = refineOnPoints(shape, samples, noise_, limits_);
+  const Shape fit = refineOnPoints(shape, samples, limits_);
   const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape unbiased = withoutBias(fit, points, sigma_, direction);
   return limits_.hold(unbiased) ? unbiased : fit;

@@ -8,11 +8,22 @@
 namespace primitect {
 
 void applyNoise(const NoiseModel& noise, Samples& samples) {
+  /// What a normal at the noise's limit takes from the gain; distance takes 1 at its limit.
+  constexpr double kNormalShare = 0.8;
+  /// Normals up to this many times the limit speak against the shape; farther ones belong to another surface.
+  constexpr double kAngleReach = 2.5, kOtherSurface = 0.6;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples.sigma[i] = static_cast<float>(noise.at(samples.point(i)));
-    const double known = kNormalDeviations * samples.normal_sigma[i];
-    samples.normal_limit[i] = static_cast<float>(std::max(noise.angle, known));
+    const double sigma = noise.at(samples.point(i));
+    const double limit = std::max(noise.angle, kNormalDeviations * samples.normal_sigma[i]);
+    const double farthest = std::min(kAngleReach * limit, kOtherSurface);
+    samples.sigma[i] = static_cast<float>(sigma);
+    samples.inverse_tolerance[i] = static_cast<float>(1.0 / (kInlierDeviations * sigma));
+    // 1 - cos of an angle is half its square.
+    samples.normal_loss[i] = static_cast<float>(2.0 * kNormalShare / (limit * limit));
+    samples.farthest_turn[i] = static_cast<float>(0.5 * farthest * farthest);
   }
+  samples.blocks.clear();
+  samples.blocks.append(samples, 0);
 }
 
 }  // namespace primitect

@@ -28,7 +28,7 @@ struct NoiseModel {
 
 struct Samples;
 
-/// Fills sigma and normal_limit of the samples, whose normal_sigma is known.
+/// Fills sigma and what follows from it of the samples, whose normal_sigma is known.
 void applyNoise(const NoiseModel& noise, Samples& samples);
 
 /// A normal is hardly noise when it is off by this many standard deviations (about each axis).

@@ -10,6 +10,7 @@
 #include "core/neighbors.h"
 #include "core/projected_image.h"
 #include "core/samples.h"
+#include "core/window_normal.h"
 #include "primitect/cloud.h"
 #include "primitect/params.h"
 
@@ -20,7 +21,8 @@ struct NormalSource {
   std::unique_ptr<NeighborSearch> neighbors;
   std::optional<ProjectedImage> image;
   bool image_tried = false;
-  int neighbor_count = 0;  ///< above 0: measured from so many neighbours even where the cloud brings normals
+  std::optional<bool> in_front;  ///< the cloud is organized and all in front of the sensor
+  int neighbor_count = 0;        ///< above 0: measured from so many neighbours even where the cloud brings normals
 
   void reset() { *this = {}; }
 };
@@ -37,19 +39,6 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 /// else from the nearest neighbours. Measured normals point towards the sensor; with source.neighbor_count to the side
 /// of those that the cloud brings. Where none can be had it stays missing, and that sample does not vote.
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
-
-struct WindowNormal {
-  Vec3 direction;
-  double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
-};
-
-/// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
-/// (2 half_width + 1)^2 pixels. In these coordinates a plane is linear and the noise of a depth camera even.
-/// Nothing when too few pixels of the window lie on one surface with the centre. Needs z > 0.
-std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width);
-
-/// The same at a point that falls into this pixel, whichever point the image holds there.
-std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width);
 
 /// Normal of the plane through the points (least squares), sign not known; nothing when they do not span a plane.
 std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint32_t>& points);

@@ -66,10 +66,11 @@ std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const V
   return Cone{apex, signed_axis, std::asin(std::min(sine, 1.0))};
 }
 
-PairVoting::PairVoting(const Params& params) : params_(params), accumulators_(params) {}
+PairVoting::PairVoting(const Params& params)
+    : params_(params), kernels_(kernels::chosenKernels()), accumulators_(params) {}
 
 void PairVoting::propose(const Peak& peak, Candidate candidate, std::optional<Candidate>& best) const {
-  if (!(peak.votes > (best ? best->votes : params_.min_votes))) return;
+  if (!(peak.votes > toBeat(best))) return;
   candidate.votes = peak.votes;
   best = candidate;
 }
@@ -79,15 +80,15 @@ void PairVoting::proposeCurved(const kernels::Reference& reference, Side side, s
   const Vec3 point = toEigen(reference.sample.point);
   const Vec3 normal = toEigen(reference.sample.normal);
   const Vec3 outward = concave ? Vec3(-normal) : normal;
-  if (const auto peak = accumulators_.spherePeak(side)) {
+  if (const auto peak = accumulators_.spherePeak(side, toBeat(best))) {
     propose(*peak, {sphereFromVotes(point, outward, peak->radius), concave, point, normal}, best);
   }
-  if (const auto peak = accumulators_.cylinderPeak(side)) {
+  if (const auto peak = accumulators_.cylinderPeak(side, toBeat(best)); peak && peak->votes > toBeat(best)) {
     const Vec3 axis =
         std::cos(peak->angle) * toEigen(reference.tangent_y) + std::sin(peak->angle) * toEigen(reference.tangent_z);
     propose(*peak, {cylinderFromVotes(point, outward, axis, peak->radius), concave, point, normal}, best);
   }
-  if (const auto peak = accumulators_.conePeak(side)) {
+  if (const auto peak = accumulators_.conePeak(side, toBeat(best)); peak && peak->votes > toBeat(best)) {
     const std::optional<Cone> cone = coneFromVotes(point, outward, peak->axis, peak->radius);
     if (cone && withinLimits(*cone, params_)) propose(*peak, {*cone, concave, point, normal}, best);
   }
@@ -105,19 +106,22 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
 void PairVoting::vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates) {
   candidates.clear();
   const kernels::VotingRules rules = votingRules(params_, scene_diameter);
-  accumulators_.setRadiusBin(params_.radius_bin * scene_diameter);
-  kernels::Accumulators bins = accumulators_.view();
+  boxes_.enclose(samples);
+  const kernels::Boxes boxes = boxes_.view();
+  kernels::Samples view = samples.view();
+  view.boxes = &boxes;
+  accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
   const std::size_t count = std::min<std::size_t>(samples.size(), params_.references);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = k * samples.size() / count;
     if (!samples.hasNormal(i)) continue;
-    accumulators_.clear();
     const kernels::Reference reference = referenceAt(samples, i);
-    kernels::vote(reference, samples.view(), rules, bins);
+    kernels_.vote(reference, view, rules, accumulators_.bins());
     if (std::optional<Candidate> candidate = strongest(reference)) {
       candidate->sample = static_cast<std::uint32_t>(i);
       candidates.push_back(*candidate);
     }
+    accumulators_.clear();
   }
 }
 

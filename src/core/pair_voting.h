@@ -8,6 +8,7 @@
 
 #include "core/accumulators.h"
 #include "core/candidate.h"
+#include "core/sample_boxes.h"
 #include "core/samples.h"
 #include "primitect/params.h"
 
@@ -29,6 +30,7 @@ std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const V
 /// Joint voting with accumulators that are reused from reference to reference and from frame to frame.
 class PairVoting {
  public:
+  /// Throws std::invalid_argument as kernels::chosenKernels().
   explicit PairVoting(const Params& params);
 
   /// At most one candidate for each reference; the references are spread evenly over the samples. d_s in m.
@@ -40,7 +42,12 @@ class PairVoting {
   /// Makes it the best one if the peak has more votes than min_votes and what was best.
   void propose(const Peak& peak, Candidate candidate, std::optional<Candidate>& best) const;
 
+  /// What a peak must have more votes than.
+  double toBeat(const std::optional<Candidate>& best) const { return best ? best->votes : params_.min_votes; }
+
   Params params_;
+  const kernels::Kernels& kernels_;
+  SampleBoxes boxes_;
   Accumulators accumulators_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fitting.h"
+#include "core/flat.h"
 #include "core/residuals.h"
 
 namespace primitect {
@@ -28,59 +29,64 @@ constexpr Kind kKindOf<Sphere> = Kind::sphere;
 template <>
 constexpr Kind kKindOf<Cylinder> = Kind::cylinder;
 
-/// Normal equations of the N parameters of a kind; the lower triangle is filled.
+/// Directions across what the shape points along; a sphere has none.
+Turn turnOf(const Plane& plane) { return Turn(plane.normal); }
+Turn turnOf(const Sphere&) { return Turn(Vec3::UnitZ()); }
+Turn turnOf(const Cylinder& cylinder) { return Turn(cylinder.axis); }
+Turn turnOf(const Cone& cone) { return Turn(cone.axis); }
+
+/// From the parameters of the loops (kernels/loops.h) to those of residuals.h.
+template <class T>
+Gradient toLocal(const T&, const Turn&, const Gradient& step) {
+  return step;
+}
+Gradient toLocal(const Cone& cone, const Turn& turn, Gradient step) {
+  step.head<3>() = (step[0] * turn.first + step[1] * turn.second + step[2] * cone.axis).eval();
+  return step;
+}
+
 template <int N>
-struct NormalEquations {
+Gradient solve(const kernels::NormalEquations& equations) {
   Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
-  Eigen::Matrix<double, N, 1> right = Eigen::Matrix<double, N, 1>::Zero();
-
-  void add(const Residual& r, double weight) {
-    for (int row = 0; row < N; ++row) {
-      const double weighted = weight * r.gradient[row];
-      right[row] -= weighted * r.distance;
-      for (int column = 0; column <= row; ++column) hessian(row, column) += weighted * r.gradient[column];
-    }
+  Eigen::Matrix<double, N, 1> right;
+  for (int row = 0; row < N; ++row) {
+    for (int column = 0; column <= row; ++column) hessian(row, column) = equations.hessian[row][column];
+    right[row] = equations.right[row];
   }
-
-  Gradient solve() {
-    // Damped a little: a direction that the points say nothing about stays.
-    hessian.diagonal().array() += 1e-9 * hessian.trace() + 1e-12;
-    Gradient step = Gradient::Zero();
-    step.head<N>() = hessian.template selfadjointView<Eigen::Lower>().ldlt().solve(right);
-    return step;
-  }
-};
+  // Damped a little: a direction that the points say nothing about stays.
+  hessian.diagonal().array() += 1e-9 * hessian.trace() + 1e-12;
+  Gradient step = Gradient::Zero();
+  step.head<N>() = hessian.template selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  return step;
+}
 
 template <class T>
-std::optional<Shape> refineKind(T shape, const SampleSet& set, const std::vector<double>& limits, double small_step) {
-  constexpr int kSteps = 10;
-  constexpr int kParameters = parameterCount(kKindOf<T>);
-  for (int iteration = 0; iteration < kSteps; ++iteration) {
-    NormalEquations<kParameters> equations;
-    const auto residual_at = residualsOf(shape);
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const Residual r = residual_at(set.point(k));
-      const double share = r.distance / limits[k];
-      if (!(std::abs(share) < 1.0)) continue;
-      // Tukey's biweight; in units of the tolerance, so that far points of a depth camera count for less.
-      const double root = (1.0 - share * share) / limits[k];
-      equations.add(r, root * root);
-    }
-    const Gradient step = equations.solve();
+std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules) {
+  kernels::NormalEquations equations;
+  for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
+    const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
+    const Turn turn = turnOf(shape);
+    kernels::loops().normalEquations(flattened(shape, points.origin()), flattened(turn), points.view(), scale,
+                                     equations);
+    const Gradient step = toLocal(shape, turn, solve<parameterCount(kKindOf<T>)>(equations));
     shape = stepped(shape, step);
     if (!usable(shape)) return std::nullopt;
-    if (step.norm() < small_step) break;
+    if (iteration >= rules.wide_steps && step.norm() < rules.small_step) break;
   }
   return shape;
 }
 
 }  // namespace
 
+std::optional<Shape> refine(const Shape& start, const FitPoints& points, const RefineRules& rules) {
+  return std::visit([&](const auto& shape) { return refineKind(shape, points, rules); }, start);
+}
+
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
-                            const std::function<double(const Vec3&)>& tolerance, double small_step) {
-  std::vector<double> limits(set.size());
-  for (std::size_t k = 0; k < set.size(); ++k) limits[k] = tolerance(set.point(k));
-  return std::visit([&](const auto& shape) { return refineKind(shape, set, limits, small_step); }, start);
+                            const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules) {
+  FitPoints points;
+  points.gather(set, tolerance);
+  return refine(start, points, rules);
 }
 
 }  // namespace primitect

@@ -1,31 +1,56 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Nearest neighbours by PCL's kd-tree, and a walk over them; see sample_graph.h.
+// Nearest neighbours leaf by leaf, and a walk over them; see sample_graph.h.
 #include "core/sample_graph.h"
 
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 
 namespace primitect {
+namespace {
+
+constexpr std::size_t kLeafSize = kernels::kLeafSize;
+static_assert(SampleGraph::kNeighbors == kLeafSize);
+
+std::size_t placeIn(double key) {
+  std::int64_t bits;
+  std::memcpy(&bits, &key, sizeof(bits));
+  return static_cast<std::size_t>(bits & kernels::kPlaceBits);
+}
+
+kernels::NearestKeys noKeys() {
+  kernels::NearestKeys keys;
+  for (auto& row : keys.of) std::fill(std::begin(row), std::end(row), kernels::kNoNeighbor);
+  return keys;
+}
+
+}  // namespace
 
 void SampleGraph::build(const Samples& samples) {
+  const std::size_t known = tree_.update(samples);
+  keys_.resize(known);
+  keys_.resize(tree_.leaves(), noKeys());
   neighbors_.resize(samples.size());
-  pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
-  for (std::size_t i = 0; i < samples.size(); ++i) points->emplace_back(samples.x[i], samples.y[i], samples.z[i]);
-  if (points->empty()) return;
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(points);
-  pcl::Indices found;
-  std::vector<float> distances_sq;
-  for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    neighbors_[i].fill(i);
-    tree.nearestKSearch((*points)[i], kNeighbors + 1, found, distances_sq);
-    int filled = 0;
-    for (const auto j : found) {
-      if (static_cast<std::uint32_t>(j) != i && filled < kNeighbors) neighbors_[i][filled++] = j;
+  const kernels::Loops& loops = kernels::loops();
+  const kernels::LeafTree view = tree_.view();
+  for (const LeafTree::Batch& batch : tree_.batches()) {
+    for (std::size_t leaf = batch.first_leaf; leaf < batch.end_leaf; ++leaf) {
+      const std::size_t count = batch.samplesOf(leaf);
+      if (count == 0) break;
+      // What was here before only looks among what is new.
+      loops.nearest(view, leaf, count, leaf < known ? known : 0, tree_.leaves(), keys_[leaf]);
+      store(batch.firstSampleOf(leaf), count, keys_[leaf]);
+    }
+  }
+}
+
+void SampleGraph::store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto self = static_cast<std::uint32_t>(first + i);
+    for (int k = 0; k < kNeighbors; ++k) {
+      const double key = keys.of[k][i];
+      neighbors_[self][k] = key < kernels::kNoNeighbor ? tree_.sampleAt(placeIn(key)) : self;
     }
   }
 }

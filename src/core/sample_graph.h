@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/leaf_tree.h"
 #include "core/samples.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 
@@ -17,9 +19,12 @@ class SampleGraph {
   static constexpr int kNeighbors = 8;
   using Neighbors = std::array<std::uint32_t, kNeighbors>;
 
-  /// Anew for these samples; with fewer than kNeighbors others, a sample is its own neighbour in their place.
+  /// For these samples; with fewer than kNeighbors others, a sample is its own neighbour in their place. When they
+  /// begin with those of the last time, only what is new is looked at. Exact in any order of the samples, but only fast
+  /// when neighbours in space are near each other in memory.
   void build(const Samples& samples);
 
+  /// Nearest first; of two that are as near (to 1e-7) the one of lower index.
   const Neighbors& of(std::uint32_t sample) const { return neighbors_[sample]; }
 
   /// Of the set (rising indices), those that can be reached from the start through neighbours in the set, in rising
@@ -27,6 +32,10 @@ class SampleGraph {
   void connected(const std::vector<std::uint32_t>& set, std::uint32_t start, std::vector<std::uint32_t>& part);
 
  private:
+  void store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys);
+
+  LeafTree tree_;
+  std::vector<kernels::NearestKeys> keys_;  ///< of each leaf
   std::vector<Neighbors> neighbors_;
   std::vector<std::uint8_t> state_;  ///< of each sample while connected() runs
 };

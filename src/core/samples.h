@@ -3,43 +3,65 @@
 // The points that vote, with their normals: structure of arrays, neighbours in space near each other in memory.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "core/sample_blocks.h"
 #include "kernels/kernels.h"
+#include "kernels/loops.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
 
 struct Samples {
   std::vector<float> x, y, z, nx, ny, nz;
-  std::vector<float> normal_sigma;   ///< rad, noise of the normal about each axis as far as it is known, else 0
-  std::vector<float> sigma;          ///< m, noise of the distance to a surface; see NoiseModel
-  std::vector<float> normal_limit;   ///< rad, a normal this far from a surface's is hardly noise; see NoiseModel
+  std::vector<float> normal_sigma;  ///< rad, noise of the normal about each axis as far as it is known, else 0
+  std::vector<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
+  /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
+  std::vector<float> inverse_tolerance, normal_loss, farthest_turn;
   std::vector<std::uint32_t> index;  ///< of the point in the cloud
+  SampleBlocks blocks;               ///< made by applyNoise(), of these samples alone
 
   std::size_t size() const { return x.size(); }
   void clear() {
-    for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz, &normal_sigma, &sigma, &normal_limit})
-      values->clear();
+    for (std::vector<float>* values : fields()) values->clear();
     index.clear();
+    blocks.clear();
   }
   void append(const Samples& more) {
     const auto add = [](auto& values, const auto& other) { values.insert(values.end(), other.begin(), other.end()); };
     add(x, more.x), add(y, more.y), add(z, more.z);
     add(nx, more.nx), add(ny, more.ny), add(nz, more.nz);
-    add(normal_sigma, more.normal_sigma), add(sigma, more.sigma), add(normal_limit, more.normal_limit);
+    add(normal_sigma, more.normal_sigma), add(sigma, more.sigma);
+    add(inverse_tolerance, more.inverse_tolerance), add(normal_loss, more.normal_loss);
+    add(farthest_turn, more.farthest_turn);
     add(index, more.index);
   }
   void resize(std::size_t count) {
-    for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz, &normal_sigma, &sigma, &normal_limit})
-      values->resize(count);
+    for (std::vector<float>* values : fields()) values->resize(count);
     index.resize(count);
   }
   Vec3 point(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
   bool hasNormal(std::size_t i) const { return nx[i] == nx[i]; }
   kernels::Samples view() const { return {x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data(), x.size()}; }
+  kernels::JudgedSamples judged() const {
+    return {x.data(),
+            y.data(),
+            z.data(),
+            nx.data(),
+            ny.data(),
+            nz.data(),
+            inverse_tolerance.data(),
+            normal_loss.data(),
+            farthest_turn.data()};
+  }
+
+ private:
+  std::array<std::vector<float>*, 11> fields() {
+    return {&x, &y, &z, &nx, &ny, &nz, &normal_sigma, &sigma, &inverse_tolerance, &normal_loss, &farthest_turn};
+  }
 };
 
 }  // namespace primitect

@@ -9,18 +9,24 @@
 namespace primitect {
 namespace {
 
-/// A choice and what it is worth.
+/// A choice and what it is worth. What is asked about one hypothesis takes the time of its own support.
 class Choice {
  public:
   Choice(std::size_t samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers)
-      : pool_(&pool), min_inliers_(static_cast<double>(min_inliers)), best_(samples), second_(samples) {}
+      : pool_(pool),
+        min_inliers_(static_cast<double>(min_inliers)),
+        chosen_(pool.size(), false),
+        best_(samples),
+        second_(samples),
+        left_(samples, 0) {}
 
-  const std::vector<std::uint32_t>& chosen() const { return chosen_; }
+  const std::vector<std::uint32_t>& order() const { return order_; }
+  bool holds(std::uint32_t h) const { return chosen_[h]; }
 
   /// What the total gains when h joins.
   double worthOfAdding(std::uint32_t h) const {
     double sum = 0.0, own = 0.0;
-    for (const Support& support : (*pool_)[h].support) {
+    for (const Support& support : pool_[h].support) {
       const float held = best_[support.sample].gain;
       if (support.gain > held && held < kWellExplained) sum += support.gain - held, own += 1.0;
       // Near it, but not on it: against it, unless somebody else explains that sample.
@@ -32,7 +38,7 @@ class Choice {
   /// What the total loses when h, which is chosen, leaves.
   double worthOfKeeping(std::uint32_t h) const {
     double sum = 0.0, own = 0.0;
-    for (const Support& support : (*pool_)[h].support) {
+    for (const Support& support : pool_[h].support) {
       const Holder& best = best_[support.sample];
       const float other = second_[support.sample].gain;
       if (best.hypothesis == h && other < kWellExplained) sum += best.gain - other, own += 1.0;
@@ -42,16 +48,26 @@ class Choice {
   }
 
   void add(std::uint32_t h) {
-    chosen_.push_back(h);
-    for (const Support& support : (*pool_)[h].support) enter(h, support);
+    chosen_[h] = true;
+    order_.push_back(h);
+    for (const Support& support : pool_[h].support) enter(h, support);
   }
 
   void remove(std::uint32_t h) {
-    chosen_.erase(std::find(chosen_.begin(), chosen_.end(), h));
-    std::fill(best_.begin(), best_.end(), Holder());
-    std::fill(second_.begin(), second_.end(), Holder());
-    for (const std::uint32_t kept : chosen_) {
-      for (const Support& support : (*pool_)[kept].support) enter(kept, support);
+    chosen_[h] = false;
+    order_.erase(std::find(order_.begin(), order_.end(), h));
+    ++removal_;
+    for (const Support& support : pool_[h].support) {
+      Holder &best = best_[support.sample], &second = second_[support.sample];
+      if (best.hypothesis != h && second.hypothesis != h) continue;
+      best = second = Holder();
+      left_[support.sample] = removal_;
+    }
+    for (const std::uint32_t kept : order_) {
+      if (!mayOverlap(pool_[kept], pool_[h])) continue;
+      for (const Support& support : pool_[kept].support) {
+        if (left_[support.sample] == removal_) enter(kept, support);
+      }
     }
   }
 
@@ -59,7 +75,7 @@ class Choice {
   std::uint32_t worthless() const {
     std::uint32_t weakest = kNobody;
     double least = 0.0;
-    for (const std::uint32_t h : chosen_) {
+    for (const std::uint32_t h : order_) {
       const double worth = worthOfKeeping(h);
       if (worth > least) continue;
       least = worth;
@@ -68,18 +84,16 @@ class Choice {
     return weakest;
   }
 
-  bool holds(std::uint32_t h) const { return std::find(chosen_.begin(), chosen_.end(), h) != chosen_.end(); }
-
   double total() const {
     double sum = 0.0;
-    std::vector<double> own(pool_->size(), 0.0);
+    std::vector<double> own(pool_.size(), 0.0);
     for (const Holder& best : best_) {
       sum += best.gain;
       if (best.hypothesis != kNobody) own[best.hypothesis] += 1.0;
     }
-    for (const std::uint32_t h : chosen_) {
+    for (const std::uint32_t h : order_) {
       sum -= price(h, own[h]);
-      for (const Support& support : (*pool_)[h].support) {
+      for (const Support& support : pool_[h].support) {
         if (support.gain < 0.0f && best_[support.sample].gain <= 0.0f) sum += support.gain;
       }
     }
@@ -101,14 +115,10 @@ class Choice {
   /// A shape that shares most of its inliers with others is one of them once more.
   double least(std::uint32_t h) const {
     constexpr double kOwnShare = 0.3;
-    const auto& support = (*pool_)[h].support;
-    const auto inliers = std::count_if(support.begin(), support.end(), [](const Support& s) { return s.gain > 0.0f; });
-    return std::max(min_inliers_, kOwnShare * static_cast<double>(inliers));
+    return std::max(min_inliers_, kOwnShare * static_cast<double>(pool_[h].inliers));
   }
 
-  double price(std::uint32_t h, double own) const {
-    return priceOf(kindOf((*pool_)[h].shape), own) + 0.25 * min_inliers_;
-  }
+  double price(std::uint32_t h, double own) const { return priceOf(kindOf(pool_[h].shape), own) + 0.25 * min_inliers_; }
 
   void enter(std::uint32_t h, const Support& support) {
     Holder& best = best_[support.sample];
@@ -121,78 +131,105 @@ class Choice {
     }
   }
 
-  const std::vector<Hypothesis>* pool_;
+  const std::vector<Hypothesis>& pool_;
   double min_inliers_;
-  std::vector<std::uint32_t> chosen_;
+  std::vector<bool> chosen_;
+  std::vector<std::uint32_t> order_;  ///< of those chosen
   std::vector<Holder> best_, second_;
+  std::vector<std::uint32_t> left_;  ///< of each sample: the last removal that it lost a holder by
+  std::uint32_t removal_ = 0;
 };
 
-/// Adds what is worth most until nothing is worth anything; never one that is barred.
-void addGreedily(Choice& choice, const std::vector<bool>& barred) {
-  while (true) {
-    std::uint32_t best = kNobody;
-    double most = 0.0;
-    for (std::uint32_t h = 0; h < barred.size(); ++h) {
-      if (barred[h] || choice.holds(h)) continue;
-      const double worth = choice.worthOfAdding(h);
-      if (!(worth > most)) continue;
-      most = worth;
-      best = h;
+/// Adds the most valuable of these until none is worth anything.
+void addGreedily(Choice& choice, const std::vector<Hypothesis>& pool, const std::vector<std::uint32_t>& candidates) {
+  std::vector<double> worth;
+  for (const std::uint32_t h : candidates) worth.push_back(choice.worthOfAdding(h));
+  while (!candidates.empty()) {
+    const auto best = std::max_element(worth.begin(), worth.end());
+    if (!(*best > 0.0)) return;
+    const std::uint32_t added = candidates[static_cast<std::size_t>(best - worth.begin())];
+    choice.add(added);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (choice.holds(candidates[k])) {
+        worth[k] = 0.0;
+      } else if (mayOverlap(pool[candidates[k]], pool[added])) {
+        worth[k] = choice.worthOfAdding(candidates[k]);
+      }
     }
-    if (best == kNobody) return;
-    choice.add(best);
   }
 }
 
-/// Hypotheses of the same kind that explain nearly the same samples as h, itself among them.
-std::vector<bool> likenesses(const std::vector<Hypothesis>& pool, std::uint32_t h, std::size_t samples) {
-  constexpr double kSame = 0.75;  // of the inliers of both together
-  std::vector<bool> held(samples, false);
-  double own = 0.0;
-  for (const Support& support : pool[h].support) {
-    held[support.sample] = support.gain > 0.0f;
-    own += support.gain > 0.0f ? 1.0 : 0.0;
+/// What could take the place of h once it is gone: not its likenesses, and nothing that has no sample of it.
+std::vector<std::uint32_t> substitutesOf(std::uint32_t h, const Choice& choice, const std::vector<Hypothesis>& pool) {
+  std::vector<std::uint32_t> substitutes;
+  for (std::uint32_t k = 0; k < pool.size(); ++k) {
+    if (k == h || choice.holds(k) || !mayOverlap(pool[k], pool[h]) || alike(pool[h], pool[k])) continue;
+    substitutes.push_back(k);
   }
-  std::vector<bool> alike(pool.size(), false);
-  for (std::size_t k = 0; k < pool.size(); ++k) {
-    if (kindOf(pool[k].shape) != kindOf(pool[h].shape)) continue;
-    double both = 0.0, others = 0.0;
-    for (const Support& support : pool[k].support) {
-      if (support.gain > 0.0f) (held[support.sample] ? both : others) += 1.0;
-    }
-    alike[k] = both > kSame * (own + others);
-  }
-  return alike;
+  return substitutes;
 }
 
 void dropWorthless(Choice& choice) {
   for (std::uint32_t h = choice.worthless(); h != kNobody; h = choice.worthless()) choice.remove(h);
 }
 
-/// Leaves one out, and keeps the outcome when the rest then finds something better: two planes for one cone.
-bool exchange(Choice& choice, const std::vector<Hypothesis>& pool, std::size_t samples) {
-  const std::vector<std::uint32_t> chosen = choice.chosen();
+/// Back to what was chosen before.
+void restore(const std::vector<std::uint32_t>& chosen, Choice& choice) {
+  const std::vector<std::uint32_t> now = choice.order();
+  const auto in = [](std::uint32_t h, const std::vector<std::uint32_t>& list) {
+    return std::find(list.begin(), list.end(), h) != list.end();
+  };
+  for (const std::uint32_t h : now) {
+    if (!in(h, chosen)) choice.remove(h);
+  }
   for (const std::uint32_t h : chosen) {
-    Choice without = choice;
-    without.remove(h);
-    addGreedily(without, likenesses(pool, h, samples));
-    dropWorthless(without);
-    if (!(without.total() > choice.total() + 1e-6)) continue;
-    choice = without;
-    return true;
+    if (!in(h, now)) choice.add(h);
+  }
+}
+
+/// Leaves one out, and keeps the outcome when the rest then finds something better: two planes for one cone.
+bool exchange(Choice& choice, const std::vector<Hypothesis>& pool) {
+  const std::vector<std::uint32_t> chosen = choice.order();
+  const double before = choice.total();
+  for (const std::uint32_t h : chosen) {
+    const std::vector<std::uint32_t> substitutes = substitutesOf(h, choice, pool);
+    if (substitutes.empty()) continue;
+    choice.remove(h);
+    addGreedily(choice, pool, substitutes);
+    // Without anything in its place nothing is gained: what was worthless is gone already.
+    if (choice.order().size() >= chosen.size()) {
+      dropWorthless(choice);
+      if (choice.total() > before + 1e-6) return true;
+    }
+    restore(chosen, choice);
   }
   return false;
 }
 
 }  // namespace
 
+bool alike(const Hypothesis& a, const Hypothesis& b) {
+  constexpr double kSame = 0.75;  // of the inliers of both together
+  if (kindOf(a.shape) != kindOf(b.shape)) return false;
+  double both = 0.0;
+  auto at = b.support.begin();
+  for (const Support& support : a.support) {
+    while (at != b.support.end() && at->sample < support.sample) ++at;
+    if (at == b.support.end()) break;
+    if (at->sample == support.sample && at->gain > 0.0f && support.gain > 0.0f) both += 1.0;
+  }
+  return both > kSame * (static_cast<double>(a.inliers + b.inliers) - both);
+}
+
 Selection selectHypotheses(const Samples& samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers) {
   constexpr int kExchanges = 20;
   Choice choice(samples.size(), pool, min_inliers);
-  addGreedily(choice, std::vector<bool>(pool.size(), false));
+  std::vector<std::uint32_t> all(pool.size());
+  for (std::uint32_t h = 0; h < pool.size(); ++h) all[h] = h;
+  addGreedily(choice, pool, all);
   dropWorthless(choice);
-  for (int k = 0; k < kExchanges && exchange(choice, pool, samples.size()); ++k) continue;
-  return {choice.chosen(), choice.owners()};
+  for (int k = 0; k < kExchanges && exchange(choice, pool); ++k) continue;
+  return {choice.order(), choice.owners()};
 }
 
 }  // namespace primitect

@@ -21,6 +21,9 @@ struct Selection {
 /// Chooses a subset of the pool with a large sum over the samples of the best gain of any chosen one, less what each
 /// chosen one costs: its price and the samples near it that it does not fit and nobody explains. Greedy, then with
 /// exchanges until nothing improves. Each chosen one owns at least min_inliers samples.
+/// Of the same kind, and nearly the same samples explained.
+bool alike(const Hypothesis& a, const Hypothesis& b);
+
 Selection selectHypotheses(const Samples& samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers);
 
 }  // namespace primitect

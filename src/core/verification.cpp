@@ -55,6 +55,7 @@ ProposalRules Verification::rules() const {
 void Verification::append(Samples samples) {
   applyNoise(noise_, samples);
   samples_.append(samples);
+  samples_.blocks.append(samples_, samples_.size() - samples.size());
   graph_.build(samples_);
   const HeldGains nothing(samples_.size(), 0.0f);
   for (Hypothesis& hypothesis : pool_) evaluate(samples_, nothing, 1.0, hypothesis);
@@ -71,14 +72,14 @@ void Verification::addRound(Samples samples, std::vector<Candidate> candidates) 
   append(std::move(samples));
   proposeHypotheses(samples_, graph_, candidates, rules(), pool_, refusals_);
   select();
-  refit();
+  refit(1);
 }
 
 void Verification::conclude(Samples samples) {
   constexpr int kRefusals = 4;
   append(std::move(samples));
   select();
-  refit();
+  refit(2);
   assess();
   for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
     select();
@@ -89,8 +90,30 @@ void Verification::conclude(Samples samples) {
   segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
 }
 
+/// What is nearly the same as something chosen, and worse, has had its chance.
+void Verification::dropLikenesses() {
+  const auto redundant = [this](std::uint32_t h) {
+    const auto& chosen = selection_.chosen;
+    if (std::find(chosen.begin(), chosen.end(), h) != chosen.end()) return false;
+    return std::any_of(chosen.begin(), chosen.end(),
+                       [&](std::uint32_t c) { return mayOverlap(pool_[h], pool_[c]) && alike(pool_[h], pool_[c]); });
+  };
+  std::vector<std::uint32_t> place(pool_.size(), kNobody);
+  std::uint32_t kept = 0;
+  for (std::uint32_t h = 0; h < pool_.size(); ++h) {
+    if (!redundant(h)) place[h] = kept++;
+  }
+  for (std::uint32_t h = 0; h < pool_.size(); ++h) {
+    if (place[h] != kNobody && place[h] != h) std::swap(pool_[place[h]], pool_[h]);
+  }
+  pool_.resize(kept);
+  for (std::uint32_t& h : selection_.chosen) h = place[h];
+  for (std::uint32_t& h : selection_.owner) h = h == kNobody ? kNobody : place[h];
+}
+
 void Verification::select() {
   selection_ = selectHypotheses(samples_, pool_, needed(params_));
+  dropLikenesses();
   std::vector<std::size_t> segment_of(pool_.size(), 0);
   segments_.clear();
   for (const std::uint32_t h : selection_.chosen) {
@@ -130,11 +153,10 @@ void Verification::splitParts(const Segment& segment, const HeldGains& held) {
 
 /// What was selected is fitted again, to its own samples, to all samples near it, and in parts; then it competes with
 /// what it was.
-void Verification::refit() {
-  constexpr int kTimes = 2;
+void Verification::refit(int times) {
   constexpr double kNear = 2.5;  // times the noise: what a slightly wrong shape left behind
   std::vector<std::uint32_t> near;
-  for (int time = 0; time < kTimes; ++time) {
+  for (int time = 0; time < times; ++time) {
     const HeldGains held = heldByChosen();
     for (const Segment& segment : segments_) {
       Hypothesis trial = pool_[segment.hypothesis];

@@ -52,7 +52,8 @@ class Verification {
   ProposalRules rules() const;
   void append(Samples samples);
   void select();
-  void refit();
+  void dropLikenesses();
+  void refit(int times);
   void splitParts(const Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();

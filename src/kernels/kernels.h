@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The inner loop of the method: pairs, features, conditions, weights and votes. scalar.cpp is the definition.
+// The inner loop of the method: pairs, features, conditions, weights and votes. scalar.cpp is the definition, the
+// others are faster; dispatch.cpp chooses.
 //
 // Symbols follow the paper (PrimiTect, ICRA 2020): d = p_i - p_r, features C1..C4 (eq. 2), conditions NP, PC, AS, VT
 // (table II), angles F1..F4 (eq. 1), s_r (eq. 9). Lengths are in m, angles in rad, all vectors of normals are unit.
@@ -29,10 +30,21 @@ struct Reference {
   Vector tangent_z;
 };
 
+/// Samples in one of these boxes are so many neighbours in memory; of the last box perhaps fewer.
+constexpr int kBoxSamples = 16;
+
+/// Boxes around runs of samples, so that a kernel can pass over runs which are too far away. Samples that cannot vote
+/// (NaN) may be outside. The arrays are padded to a multiple of kBoxSamples with boxes that are nowhere (NaN).
+struct Boxes {
+  const float *min_x, *min_y, *min_z, *max_x, *max_y, *max_z;
+  std::size_t count;
+};
+
 /// Samples as structure of arrays, `count` of each.
 struct Samples {
   const float *x, *y, *z, *nx, *ny, *nz;
   std::size_t count;
+  const Boxes* boxes = nullptr;  ///< null: every pair is looked at; the votes are the same
 };
 
 /// C = (|d|^2, n_r.d, n_i.d, n_r.n_i), eq. 2.
@@ -71,20 +83,31 @@ struct AxisBall {
   const int* ring_size;   ///< bins of the full turn of ring k; of the equator's, only the first half is stored
 };
 
-/// Votes for curved surfaces seen from one side; null where that side does not vote.
+/// Votes for one kind of curved shape. Bins are in rows, one for each direction, of radius_stride bins of R or s_r. A
+/// vote is shared by neighbours in the row; its cell is the first of the two.
+struct Bins {
+  float* votes;            ///< all 0 before a reference votes
+  int* cells;              ///< the cells that got votes, some of them repeatedly: what to search and to clear
+  std::size_t cell_count;  ///< 0 before a reference votes; grows with every pair by 2 at most, of cones by 4
+  float total;             ///< sum of all votes
+  float most;              ///< the largest number of votes in a bin
+  int strongest;           ///< that bin, the one that reached it first; only if `most` is not 0
+};
+
+/// Votes for curved surfaces seen from one side; empty where that side does not vote.
 struct CurvedBins {
-  float* sphere;    ///< radius_bins
-  float* cylinder;  ///< radius_bins x phi_bins, phi innermost
-  float* cone;      ///< radius_bins x ball_bins, ball innermost
+  Bins sphere;    ///< one row
+  Bins cylinder;  ///< phi_bins rows
+  Bins cone;      ///< ball_bins rows
 };
 
 /// Votes of one reference; the caller clears them.
 struct Accumulators {
-  float* plane;  ///< 1, the same from either side
+  float plane;  ///< the same from either side
   CurvedBins convex, concave;
-  int radius_bins;
-  int phi_bins;  ///< over [0, pi)
-  int ball_bins;
+  int radius_bins;       ///< at least 2
+  int radius_stride;     ///< from row to row, more than radius_bins
+  int phi_bins;          ///< over [0, pi)
   float bins_per_meter;  ///< of R and s_r
   AxisBall ball;
 };
@@ -136,6 +159,32 @@ LinearSpread spreadCircular(float value_in_bins, int bins);
 BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis);
 
 /// Algorithm 1 for the pairs of one reference with all samples. A pair seen from inside votes as its flipped one would.
+/// The lists of cells must have room for the votes of all samples.
 void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators);
+
+/// One way to do this on one kind of processor. All of them cast the votes of vote() but for rounding: where a pair is
+/// on a threshold, the decision may differ, and weights are within 1e-4.
+struct Kernels {
+  const char* name;
+  void (*vote)(const Reference&, const Samples&, const VotingRules&, Accumulators&);
+};
+
+extern const Kernels kScalar;    ///< the definition
+extern const Kernels kPortable;  ///< four lanes of any processor
+extern const Kernels kAvx2;      ///< x86-64 with AVX2 and FMA only; not defined for other architectures
+
+/// Those that this machine can run, slowest first.
+struct Available {
+  const Kernels* kernels[4];
+  int count;
+};
+Available availableKernels();
+
+/// The available kernels of that name, the fastest ones for null or an empty text. Throws std::invalid_argument naming
+/// the environment variable that the text comes from, the text and the available names.
+const Kernels& kernelsNamed(const char* name);
+
+/// What the environment variable PRIMITECT_KERNELS names, or the fastest; read once. Throws as kernelsNamed().
+const Kernels& chosenKernels();
 
 }  // namespace primitect::kernels

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of the compiled loops this machine can run.
+// Which of the compiled loops this machine can run: the last of the list is the fastest.
 #include "kernels/loops.h"
 
 namespace primitect::kernels {
@@ -9,16 +9,21 @@ extern const Loops loops_baseline;
 #if defined(__x86_64__)
 extern const Loops loops_avx2, loops_avx512;
 
-const Loops& loops() {
-  static const Loops& chosen = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                                       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")
-                                   ? loops_avx512
-                               : __builtin_cpu_supports("avx2") ? loops_avx2
-                                                                : loops_baseline;
-  return chosen;
+LoopsList allLoops() {
+  LoopsList list = {{&loops_baseline}, 1};
+  if (__builtin_cpu_supports("avx2")) list.tables[list.count++] = &loops_avx2;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512bw"))
+    list.tables[list.count++] = &loops_avx512;
+  return list;
 }
 #else
-const Loops& loops() { return loops_baseline; }
+LoopsList allLoops() { return {{&loops_baseline}, 1}; }
 #endif
+
+const Loops& loops() {
+  static const Loops& chosen = *(allLoops().end()[-1]);
+  return chosen;
+}
 
 }  // namespace primitect::kernels

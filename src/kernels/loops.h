@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernels/nearest_loops.h"
+#include "kernels/window_loops.h"
+
 namespace primitect::kernels {
 
 /// Sums are taken in so many lanes, which are then added up.
@@ -32,6 +35,39 @@ struct JudgedSamples {
 
 /// Gain of a sample that has nothing to do with the shape.
 constexpr float kNoGain = -2.0f;
+
+/// Two unit vectors across a shape's direction and each other: the axes that it is turned about.
+struct FlatTurn {
+  float first_x = 0, first_y = 0, first_z = 0, second_x = 0, second_y = 0, second_z = 0;
+};
+
+/// Points to fit to. `count` is a multiple of kLanes: filled up with points of infinite inverse tolerance, which have
+/// no weight.
+struct FitPoints {
+  const float *x, *y, *z;
+  const float* inverse_tolerance;  ///< 1/m
+  std::size_t count;
+};
+
+/// J' W J and -J' W r of a step of least squares with Tukey's biweight; of the hessian the lower triangle. Parameters
+/// (m, rad; first, second: along FlatTurn):
+///   plane     turn of the normal (2), shift along it
+///   sphere    centre (x, y, z), radius
+///   cylinder  point along first, second, turn of the axis (2), radius
+///   cone      apex along first, second, axis, turn of the axis (2), half angle
+struct NormalEquations {
+  double hessian[6][6];
+  double right[6];
+  double gain;  ///< sum of 1 - (r / tolerance)^2 over the points within the tolerance
+};
+
+/// Sums over points p with normals n: of f, f f' (lower triangle) with f = (p, n), and of n n'p.
+struct MomentSums {
+  static constexpr int kFields = 6;
+  double sum[kFields];
+  double product[kFields][kFields];
+  double tangent[3];
+};
 
 /// What lies on the inner side of some planes: products with unit vectors inwards are at least the offsets (m).
 struct FlatSide {
@@ -76,6 +112,14 @@ struct FlatAround {
 struct Loops {
   const char* name;  ///< of the instruction set
 
+  /// Robust least squares over the pixels of a window that lie on one surface with its centre.
+  WindowPlane (*fitWindow)(const PointImage& image, const WindowTask& task);
+
+  /// Neighbours of a leaf's `count` points among the leaves [begin, end), multiples of kLanes; `keys` holds those known
+  /// already, else kNoNeighbor.
+  void (*nearest)(const LeafTree& tree, std::size_t leaf, std::size_t count, std::size_t begin, std::size_t end,
+                  NearestKeys& keys);
+
   /// Signed distances (m) of points to a shape.
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                     float* distance);
@@ -84,6 +128,14 @@ struct Loops {
   /// from inside; scale: of the tolerances, inverse.
   void (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
                 std::size_t end, float* gain);
+
+  /// scale: of the tolerances, inverse.
+  void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,
+                          NormalEquations& equations);
+
+  /// fields: x, y, z, nx, ny, nz of count points, a multiple of kLanes; filled up with zeros. once: 1 for each point, 0
+  /// for what fills up.
+  void (*moments)(const float* const* fields, const float* once, std::size_t count, MomentSums& sums);
 
   /// Balls around runs of `size` points, of which some may be NaN.
   void (*balls)(const float* x, const float* y, const float* z, std::size_t count, std::size_t size,
@@ -110,5 +162,14 @@ struct Loops {
 
 /// For the machine that runs this.
 const Loops& loops();
+
+/// All that this machine can run, for tests.
+struct LoopsList {
+  const Loops* tables[3];
+  std::size_t count;
+  const Loops* const* begin() const { return tables; }
+  const Loops* const* end() const { return tables + count; }
+};
+LoopsList allLoops();
 
 }  // namespace primitect::kernels

@@ -25,8 +25,17 @@ float constraintWeight(float deviation, float epsilon) {
   return std::fmax(0.0f, 1.0f - std::fabs(deviation) / epsilon);
 }
 
-void add(float* bins, const LinearSpread& spread, float weight) {
-  for (int k = 0; k < 2; ++k) bins[spread.bin[k]] += weight * spread.weight[k];
+/// A vote for one row, shared by two bins of R or s_r.
+void add(const Accumulators& layout, int row, const LinearSpread& layers, float weight, Bins& bins) {
+  for (int k = 0; k < 2; ++k) {
+    const int bin = row * layout.radius_stride + layers.bin[k];
+    bins.votes[bin] += weight * layers.weight[k];
+    if (!(bins.votes[bin] > bins.most)) continue;
+    bins.most = bins.votes[bin];
+    bins.strongest = bin;
+  }
+  bins.cells[bins.cell_count++] = row * layout.radius_stride + layers.bin[0];
+  bins.total += weight;
 }
 
 /// One bin takes all: what is left of an interpolation vote when spreading is switched off.
@@ -64,8 +73,8 @@ BallSpread spreadAroundPole(const AxisBall& ball, float polar_angle, float azimu
   return {{0, ringBin(ball, 1, side.bin[0]), ringBin(ball, 1, side.bin[1]), 0}, {pole, first, second, 0.0f}};
 }
 
-void votePlane(const PairFeatures& c, const VotingRules& rules, const Accumulators& accumulators) {
-  accumulators.plane[0] += rules.spread ? planeWeight(c, rules.epsilon) : 1.0f;
+void votePlane(const PairFeatures& c, const VotingRules& rules, Accumulators& accumulators) {
+  accumulators.plane += rules.spread ? planeWeight(c, rules.epsilon) : 1.0f;
 }
 
 /// A pair on a surface seen from outside, or the flipped one of a surface seen from inside.
@@ -75,7 +84,7 @@ struct Pair {
   PairFeatures c;
 };
 
-void voteCone(const Pair& pair, const VotingRules& rules, const Accumulators& layout, float* cone) {
+void voteCone(const Pair& pair, const VotingRules& rules, const Accumulators& layout, Bins& cone) {
   const float distance_in_bins = coneAxisDistance(pair.c) * layout.bins_per_meter;
   const Vector axis = coneAxis(pair.reference.sample, pair.other, pair.c);
   if (!(distance_in_bins < static_cast<float>(layout.radius_bins)) || !(dot(axis, axis) > 0.0f)) return;
@@ -85,14 +94,11 @@ void voteCone(const Pair& pair, const VotingRules& rules, const Accumulators& la
     layers = strongestOnly(layers);
     ball = strongestOnly(ball);
   }
-  for (int layer = 0; layer < 2; ++layer) {
-    float* bins = cone + layers.bin[layer] * layout.ball_bins;
-    for (int k = 0; k < 4; ++k) bins[ball.bin[k]] += layers.weight[layer] * ball.weight[k];
-  }
+  for (int k = 0; k < 4; ++k) add(layout, ball.bin[k], layers, ball.weight[k], cone);
 }
 
 void voteCylinder(const Pair& pair, float weight, const VotingRules& rules, const Accumulators& layout,
-                  float* cylinder) {
+                  Bins& cylinder) {
   const float bins_per_radian = static_cast<float>(layout.phi_bins) / kPi;
   LinearSpread layers = spreadLinear(pairRadius(pair.c) * layout.bins_per_meter, layout.radius_bins);
   LinearSpread angles = spreadCircular(cylinderAngle(pair.reference, pair.other) * bins_per_radian, layout.phi_bins);
@@ -100,18 +106,16 @@ void voteCylinder(const Pair& pair, float weight, const VotingRules& rules, cons
     layers = strongestOnly(layers);
     angles = strongestOnly(angles);
   }
-  for (int layer = 0; layer < 2; ++layer) {
-    add(cylinder + layers.bin[layer] * layout.phi_bins, angles, weight * layers.weight[layer]);
-  }
+  for (int k = 0; k < 2; ++k) add(layout, angles.bin[k], layers, weight * angles.weight[k], cylinder);
 }
 
-void voteSphere(const Pair& pair, float weight, const VotingRules& rules, const Accumulators& layout, float* sphere) {
+void voteSphere(const Pair& pair, float weight, const VotingRules& rules, const Accumulators& layout, Bins& sphere) {
   const LinearSpread layers = spreadLinear(pairRadius(pair.c) * layout.bins_per_meter, layout.radius_bins);
-  add(sphere, rules.spread ? layers : strongestOnly(layers), weight);
+  add(layout, 0, rules.spread ? layers : strongestOnly(layers), weight, sphere);
 }
 
 /// The branch of algorithm 1 for a pair whose normals are not parallel.
-void voteCurved(const Pair& pair, const VotingRules& rules, const Accumulators& layout, const CurvedBins& bins) {
+void voteCurved(const Pair& pair, const VotingRules& rules, const Accumulators& layout, CurvedBins& bins) {
   if (rules.cones) voteCone(pair, rules, layout, bins.cone);
   if (!(rules.cylinders || rules.spheres) || !anglesSymmetric(pair.c, rules)) return;
   if (!(pairRadius(pair.c) * layout.bins_per_meter < static_cast<float>(layout.radius_bins))) return;
@@ -253,5 +257,7 @@ void vote(const Reference& reference, const Samples& samples, const VotingRules&
     }
   }
 }
+
+const Kernels kScalar = {"scalar", vote};
 
 }  // namespace primitect::kernels

@@ -27,8 +27,13 @@ FramePipeline::FramePipeline(const Params& params) : detector_(makeDetector(para
 
 Detector FramePipeline::makeDetector(const Params& params) {
   Detector detector(params);
-  detector.onStageDone([this](const char* stage) { times_.stageDone(stage); });
+  detector.onStageDone([this](const char* stage) { stageDone(stage); });
   return detector;
+}
+
+void FramePipeline::stageDone(const char* stage) {
+  times_.stageDone(stage);
+  if (stage_done_) stage_done_(stage);
 }
 
 void FramePipeline::setParams(const Params& params) { detector_ = makeDetector(params); }
@@ -36,7 +41,7 @@ void FramePipeline::setParams(const Params& params) { detector_ = makeDetector(p
 PrimitiveArray FramePipeline::process(const sensor_msgs::PointCloud2& message) {
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
   problem_ = readCloud(message, range, params().use_cloud_normals, cloud_);
-  times_.stageDone("read");
+  stageDone("read");
   if (problem_.empty()) {
     detections_ = detector_.detect(cloud_);
     problem_ = statusProblem();

@@ -6,7 +6,9 @@
 #include <primitect/PrimitiveArray.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "primitect/detector.h"
@@ -40,11 +42,16 @@ class FramePipeline {
 
   StageTimes& times() { return times_; }
 
+  /// Called with the name of each stage when it is done, "read" first: for measuring by another clock than times().
+  void onStageDone(std::function<void(const char*)> callback) { stage_done_ = std::move(callback); }
+
  private:
   Detector makeDetector(const Params& params);
+  void stageDone(const char* stage);
   std::string statusProblem() const;
 
   StageTimes times_;
+  std::function<void(const char*)> stage_done_;
   Detector detector_;
   Cloud cloud_;
   Detections detections_;

@@ -3,6 +3,8 @@
 // A frame a tick; nothing is rendered while nobody subscribes.
 #include "synthetic_camera_nodelet.h"
 
+#include <atomic>
+#include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "messages.h"
@@ -23,24 +25,12 @@ const std::vector<ParamInfo>& settingsTable() {
       {"noise_scale", "", 1.0, 0.0, 10.0, {}, "", "times the sensor's depth noise; 0 = exact depths"},
       {"width", "", 640, 16, 2048, {}, "px", "of the image; the field of view stays the same"},
       {"height", "", 480, 16, 2048, {}, "px", "of the image"},
+      {"replay", "", 0, 0, 1000, {}, "frames", "so many are rendered once, then repeated, clouds only; 0 = each anew"},
       {"frame_id", "", Text("camera_depth_optical_frame"), 0, 0, {}, "", "of the camera"},
       {"world_frame", "", Text("world"), 0, 0, {}, "", "in which the camera moves"},
       {"depth_encoding", "", Text("32FC1"), 0, 0, {"32FC1", "16UC1"}, "", "of the depth image: m or mm"},
   };
   return kTable;
-}
-
-/// The camera's field of view at another resolution.
-synthetic::PinholeCamera scaledCamera(int width, int height) {
-  synthetic::PinholeCamera camera;
-  const double scale = static_cast<double>(width) / camera.width;
-  camera.width = width;
-  camera.height = height;
-  camera.fx *= scale;
-  camera.fy *= scale;
-  camera.cx = 0.5 * (width - 1);
-  camera.cy = 0.5 * (height - 1);
-  return camera;
 }
 
 }  // namespace
@@ -76,11 +66,13 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
   Settings settings;
   settings.rate = std::get<double>(values.at("rate"));
   settings.speed = std::get<double>(values.at("speed"));
+  settings.replay = static_cast<std::size_t>(std::get<int>(values.at("replay")));
   settings.seed = static_cast<std::uint64_t>(std::get<int>(values.at("seed")));
   settings.frame_id = std::get<Text>(values.at("frame_id"));
   settings.world_frame = std::get<Text>(values.at("world_frame"));
   settings.depth_encoding = std::get<Text>(values.at("depth_encoding"));
-  settings.camera = scaledCamera(std::get<int>(values.at("width")), std::get<int>(values.at("height")));
+  settings.camera =
+      synthetic::PinholeCamera().scaledTo(std::get<int>(values.at("width")), std::get<int>(values.at("height")));
   settings.frame.noise.scale = std::get<double>(values.at("noise_scale"));
   if (settings.frame.noise.scale == 0.0) settings.frame.noise.disparity_step = 0.0;
   // As many pixels as needed at the default resolution, in proportion.
@@ -89,14 +81,20 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
   return settings;
 }
 
+double SyntheticCameraNodelet::secondsOfFrame() const {
+  constexpr double kBetweenViews = 1.0;
+  if (settings_.replay > 0)
+    return settings_.speed * kBetweenViews * static_cast<double>(frame_index_ % settings_.replay);
+  return settings_.speed * static_cast<double>(frame_index_) / settings_.rate;
+}
+
 void SyntheticCameraNodelet::onTimer() try {
-  const double seconds = settings_.speed * static_cast<double>(frame_index_) / settings_.rate;
-  const Eigen::Isometry3d world_from_camera = synthetic::cameraPose(seconds);
+  const Eigen::Isometry3d world_from_camera = synthetic::cameraPose(secondsOfFrame());
   std_msgs::Header header;
   header.stamp = ros::Time::now();
   header.frame_id = settings_.frame_id;
   broadcaster_->sendTransform(cameraTransform(header, settings_.world_frame, world_from_camera));
-  publishFrame(header, world_from_camera);
+  settings_.replay > 0 ? replayFrame(header, world_from_camera) : publishFrame(header, world_from_camera);
   ++frame_index_;
 } catch (const std::exception& error) {
   NODELET_ERROR_STREAM(getName() << " could not make a frame: " << error.what());
@@ -112,6 +110,25 @@ void SyntheticCameraNodelet::publishFrame(const std_msgs::Header& header, const 
     image_.publish(depthImage(header, frame.depth, settings_.camera, settings_.depth_encoding));
   }
   if (points_.getNumSubscribers() > 0) points_.publish(depthCloud(header, frame.depth, settings_.camera));
+}
+
+void SyntheticCameraNodelet::replayFrame(std_msgs::Header header, const Eigen::Isometry3d& world_from_camera) {
+  if (points_.getNumSubscribers() == 0) return;
+  replayed_.resize(settings_.replay);
+  sensor_msgs::PointCloud2Ptr& cloud = replayed_[frame_index_ % settings_.replay];
+  if (!cloud) {
+    const synthetic::Frame frame = synthetic::renderFrame(world_, settings_.camera, world_from_camera, settings_.frame,
+                                                          settings_.seed, frame_index_);
+    cloud = depthCloud(header, frame.depth, settings_.camera);
+  }
+  // A subscriber in this process may still be reading the one that was sent before.
+  if (cloud.use_count() > 1) cloud = boost::make_shared<sensor_msgs::PointCloud2>(*cloud);
+  std::atomic_thread_fence(std::memory_order_acquire);  // the last reader's reads come before the new stamp
+  // Latencies are measured from here: nothing but publishing comes after.
+  header.stamp = ros::Time::now();
+  cloud->header = header;
+  points_.publish(cloud);
+  if (info_.getNumSubscribers() > 0) info_.publish(cameraInfo(header, settings_.camera));
 }
 
 }  // namespace primitect::ros_layer

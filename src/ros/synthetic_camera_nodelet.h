@@ -5,11 +5,13 @@
 
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "synthetic/camera.h"
 #include "synthetic/frame.h"
@@ -29,6 +31,7 @@ class SyntheticCameraNodelet : public nodelet::Nodelet {
   struct Settings {
     double rate, speed;
     std::uint64_t seed;
+    std::size_t replay;
     std::string frame_id, world_frame, depth_encoding;
     synthetic::PinholeCamera camera;
     synthetic::FrameParams frame;
@@ -39,12 +42,17 @@ class SyntheticCameraNodelet : public nodelet::Nodelet {
   Settings loadSettings() const;
 
   void onTimer();
+  /// Of the camera's movement.
+  double secondsOfFrame() const;
   void publishFrame(const std_msgs::Header& header, const Eigen::Isometry3d& world_from_camera);
+  /// A cloud that was rendered once, without copying it, stamped when it leaves: for measuring what comes after.
+  void replayFrame(std_msgs::Header header, const Eigen::Isometry3d& world_from_camera);
 
   bool started_ = false;
   Settings settings_;
   synthetic::World world_;
   std::uint64_t frame_index_ = 0;
+  std::vector<sensor_msgs::PointCloud2Ptr> replayed_;
   std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
   ros::Publisher points_, image_, info_, truth_;
   ros::Timer timer_;

@@ -23,6 +23,12 @@ struct PinholeCamera {
   /// Pixel of a point (m) with z > 0.
   Eigen::Vector2d project(const Eigen::Vector3d& p) const { return {fx * p.x() / p.z() + cx, fy * p.y() / p.z() + cy}; }
 
+  /// The same view in another resolution: the horizontal field of view stays, pixels stay square.
+  PinholeCamera scaledTo(int new_width, int new_height) const {
+    const double scale = static_cast<double>(new_width) / width;
+    return {new_width, new_height, fx * scale, fy * scale, 0.5 * (new_width - 1), 0.5 * (new_height - 1)};
+  }
+
   std::size_t pixelCount() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 

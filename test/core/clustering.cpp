@@ -15,9 +15,8 @@ namespace primitect {
 namespace {
 
 using test::candidate;
+using test::kDegree;
 using test::pointOn;
-
-constexpr double kDegree = M_PI / 180.0;
 
 TEST(Clustering, AveragesByVotes) {
   const Sphere a = {Vec3(0, 0, 1), 0.100}, b = {Vec3(0, 0, 1.004), 0.104};

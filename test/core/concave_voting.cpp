@@ -14,14 +14,12 @@ namespace {
 
 using test::bowlOf;
 using test::candidatesOf;
-using test::median;
+using test::expectWithinBins;
+using test::kDegree;
 using test::patchOf;
-using test::pointOn;
 using test::shapesOf;
 using test::SurfacePoint;
 using test::wallOf;
-
-constexpr double kDegree = M_PI / 180.0;
 
 Params paperWith(const char* convexity) {
   Params params = presetParams("paper");
@@ -45,12 +43,7 @@ TEST(ConcaveVotes, FindTheInsideOfASphere) {
   const Sphere sphere = {Vec3(0.1, 0.0, 1.0), 0.1033};
   const std::vector<Candidate> candidates = candidatesOf(bowlOf(sphere, 300, random), 2.0, paperWith("concave"));
   expectSeenFromInside(candidates);
-  const std::vector<Sphere> spheres = shapesOf<Sphere>(candidates);
-  ASSERT_GT(spheres.size(), 250u);
-  for (const Sphere& found : spheres) {
-    EXPECT_NEAR(found.radius, sphere.radius, 1e-4);  // as from outside
-    EXPECT_LT((found.center - sphere.center).norm(), 2e-4);
-  }
+  test::expectExact(shapesOf<Sphere>(candidates), sphere);
 }
 
 TEST(ConcaveVotes, FindTheWallOfATube) {
@@ -61,16 +54,7 @@ TEST(ConcaveVotes, FindTheWallOfATube) {
     const Cylinder tube = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), random.uniform(0.06, 0.2)};
     const std::vector<Candidate> candidates = candidatesOf(wallOf(tube, 400, -0.2, 0.2, random), 2.0, params);
     expectSeenFromInside(candidates);
-    std::vector<double> radius_errors, axis_errors, center_errors;
-    for (const Cylinder& found : shapesOf<Cylinder>(candidates)) {
-      radius_errors.push_back(std::abs(found.radius - tube.radius));
-      axis_errors.push_back(test::lineAngle(found.axis, tube.axis));
-      center_errors.push_back((found.point - tube.point).cross(tube.axis).norm());
-    }
-    ASSERT_GT(radius_errors.size(), 300u);
-    EXPECT_LT(median(radius_errors), 2e-4);
-    EXPECT_LT(median(center_errors), 2e-4);
-    EXPECT_LT(median(axis_errors), 0.05 * kDegree);
+    expectWithinBins(shapesOf<Cylinder>(candidates), tube);
   }
 }
 
@@ -82,17 +66,8 @@ TEST(ConcaveVotes, FindTheInsideOfACone) {
     const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
     const std::vector<Candidate> candidates = candidatesOf(wallOf(cone, 500, 0.05, 0.3, random), 2.0, params);
     expectSeenFromInside(candidates);
-    std::vector<double> apex_errors, axis_errors, angle_errors;
-    for (const Cone& found : shapesOf<Cone>(candidates)) {
-      apex_errors.push_back((found.apex - cone.apex).norm());
-      axis_errors.push_back(std::acos(std::min(1.0, found.axis.dot(cone.axis))));  // signed: apex to opening
-      angle_errors.push_back(std::abs(found.half_angle - cone.half_angle));
-    }
-    ASSERT_GT(apex_errors.size(), 300u) << trial;
-    // As from outside.
-    EXPECT_LT(median(axis_errors), 1.5 * kDegree) << trial;
-    EXPECT_LT(median(angle_errors), 1.5 * kDegree) << trial;
-    EXPECT_LT(median(apex_errors), 0.02) << trial;
+    SCOPED_TRACE(trial);
+    expectWithinBins(shapesOf<Cone>(candidates), cone);
   }
 }
 

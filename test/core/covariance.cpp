@@ -13,10 +13,10 @@
 namespace primitect {
 namespace {
 
+using test::kKinds;
 using test::NoisyFit;
 using test::Patch;
 
-constexpr Kind kKinds[] = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 Matrix6 poseOf(const Uncertainty& uncertainty) { return Eigen::Map<const Matrix6>(uncertainty.pose.data()); }

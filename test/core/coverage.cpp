@@ -11,7 +11,7 @@
 namespace primitect {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+using test::kDegree;
 
 // 200 probes find a share to 0.03 at worst; 100 points blur its border by about as much again.
 constexpr double kTolerance = 0.06;

@@ -12,14 +12,14 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
+using test::kNoise;
+using test::kNoiseModel;
 using test::measured;
+using test::noisySamples;
 using test::patchOf;
 using test::samplesWith;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kNoise = 0.001;
-const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
 
 /// A cylinder of 5 cm around the height 0, and the cone of this angle that touches it there.
 const Cylinder kCan = {Vec3(0, 0, 1), Vec3(0, 1, 0), 0.05};
@@ -30,15 +30,15 @@ Samples samplesOfTapered(double half_angle, int count, std::uint64_t seed) {
   Random random(seed);
   const double middle = kCan.radius / std::tan(half_angle);
   const auto points = patchOf(taperedCan(half_angle), count, middle - 0.05, middle + 0.05, random);
-  return samplesWith(kNoiseModel, measured(points, kNoise, 0.0, random));
+  return noisySamples(points, 0.0, random);
 }
 Samples samplesOfCan(int count, std::uint64_t seed) {
   Random random(seed);
-  return samplesWith(kNoiseModel, measured(patchOf(kCan, count, -0.05, 0.05, random), kNoise, 0.0, random));
+  return noisySamples(patchOf(kCan, count, -0.05, 0.05, random), 0.0, random);
 }
 
 Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
-  return refineOnPoints(shape, points, kNoiseModel, {params, 0.4});
+  return refineOnPoints(shape, points, {params, 0.4});
 }
 
 TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {

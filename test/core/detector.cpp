@@ -9,32 +9,23 @@
 #include <limits>
 #include <stdexcept>
 
-#include "test/support/exact_shapes.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
 
+using test::kBall;
+using test::kCan;
+using test::kDegree;
+using test::kHat;
+using test::kTable;
 using test::patchOf;
 using test::SurfacePoint;
 
-constexpr double kDegree = M_PI / 180.0;
-
-const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
-const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
-const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
-const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
-
-/// A table with a ball, a can and a cone: 8000 exact points with normals.
+/// 8000 exact points with normals.
 Cloud tabletop() {
   Random random(41);
-  std::vector<SurfacePoint> points = patchOf(kTable, 4000, 0.5, random);
-  const auto add = [&points](const std::vector<SurfacePoint>& more) {
-    points.insert(points.end(), more.begin(), more.end());
-  };
-  add(patchOf(kBall, 1300, random));
-  add(patchOf(kCan, 1300, -0.1, 0.1, random));
-  add(patchOf(kHat, 1400, 0.03, 0.25, random));
-  return test::cloudOf(points);
+  return test::cloudOf(test::tabletop({4000, 1300, 1300, 1400}, random));
 }
 
 template <class T>

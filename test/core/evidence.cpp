@@ -9,16 +9,16 @@
 #include <cmath>
 #include <limits>
 
-#include "core/selection.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/hypotheses.h"
 
 namespace primitect {
 namespace {
 
+using test::kKinds;
+using test::kNoise;
 using test::patchOf;
 using test::SurfacePoint;
 
-constexpr double kNoise = 0.001;
 constexpr std::uint32_t kSelf = 0, kOther = 1;
 
 /// Samples on surfaces, each owned by one shape or nobody, and what speaks for the shape kSelf.
@@ -30,17 +30,10 @@ class Scene {
   }
 
   Evidence evidenceOf(const Shape& shape) const {
-    Samples samples = test::samplesOf(points_);
-    samples.resize(points_.size());
-    NoiseModel noise;
-    noise.distance = kNoise;
-    applyNoise(noise, samples);
+    const Samples samples = test::samplesWith(test::kNoiseModel, points_);
     SampleGraph graph;
     graph.build(samples);
-    Hypothesis hypothesis;
-    hypothesis.shape = shape;
-    evaluate(samples, HeldGains(samples.size(), 0.0f), 1.0, hypothesis);
-    return gatherEvidence(samples, graph, owner_, kSelf, hypothesis);
+    return gatherEvidence(samples, graph, owner_, kSelf, test::hypothesisOf(shape, samples));
   }
 
  private:
@@ -71,8 +64,6 @@ Evidence usualEvidence(Kind kind) {
   if (kind != Kind::plane) evidence.turn = 0.2f, evidence.lead = 0.1f;
   return evidence;
 }
-
-constexpr std::array<Kind, kKindCount> kKinds = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 
 TEST(Evidence, ABallInFrontOfAWallRunsOnNowhere) {
   Random random(3);

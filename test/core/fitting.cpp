@@ -5,17 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::patchOf;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 struct Scene {
   Shape truth;
@@ -23,10 +20,13 @@ struct Scene {
   std::vector<std::uint32_t> all;
 
   Scene(const Shape& shape, const std::vector<SurfacePoint>& points)
-      : truth(shape), samples(test::samplesOf(points)), all(samples.size()) {
-    std::iota(all.begin(), all.end(), 0u);
-  }
+      : truth(shape), samples(test::samplesOf(points)), all(test::allOf(samples)) {}
   SampleSet set() const { return {samples, all}; }
+  Moments moments() const {
+    FitPoints points;
+    points.gather(set());
+    return momentsOf(points);
+  }
 };
 
 /// One scene of each kind, about 1 m from the origin, with Gaussian noise along the normals (m).
@@ -72,7 +72,7 @@ double generous(const Vec3&) { return 0.05; }
 TEST(MomentFit, IsExactOnExactPoints) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     for (const Scene& scene : randomScenes(seed, 0.0)) {
-      const std::optional<Shape> found = fitFromMoments(kindOf(scene.truth), scene.set());
+      const std::optional<Shape> found = fitFromMoments(kindOf(scene.truth), scene.moments());
       ASSERT_TRUE(found) << kindName(kindOf(scene.truth)) << " " << seed;
       EXPECT_LT(worst(*found, scene), 1e-4) << kindName(kindOf(scene.truth)) << " " << seed;
     }
@@ -83,11 +83,11 @@ TEST(MomentFit, GivesNothingWhereTheKindIsNotDetermined) {
   Random random(61);
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   const Scene flat(plane, patchOf(plane, 100, 0.2, random));
-  EXPECT_FALSE(fitFromMoments(Kind::sphere, flat.set()));
-  EXPECT_FALSE(fitFromMoments(Kind::cylinder, flat.set()));
-  EXPECT_FALSE(fitFromMoments(Kind::cone, flat.set()));
+  EXPECT_FALSE(fitFromMoments(Kind::sphere, flat.moments()));
+  EXPECT_FALSE(fitFromMoments(Kind::cylinder, flat.moments()));
+  EXPECT_FALSE(fitFromMoments(Kind::cone, flat.moments()));
   const Scene two(plane, patchOf(plane, 2, 0.2, random));
-  EXPECT_FALSE(fitFromMoments(Kind::plane, two.set()));
+  EXPECT_FALSE(fitFromMoments(Kind::plane, two.moments()));
 }
 
 TEST(Refinement, KeepsWhatIsExact) {
@@ -179,8 +179,7 @@ TEST(Refinement, FindsASlenderConeFromOneThatTapersLessOrMore) {
     const double middle = kRadius / std::tan(half_angle);
     const Samples samples =
         test::samplesOf(test::patchOf(throughCircle(half_angle), 500, middle - 0.05, middle + 0.05, random));
-    std::vector<std::uint32_t> all(samples.size());
-    std::iota(all.begin(), all.end(), 0u);
+    const std::vector<std::uint32_t> all = test::allOf(samples);
     for (const double start : {0.1, 0.2}) {
       const auto found = refine(throughCircle(start), {samples, all}, [](const Vec3&) { return 0.01; });
       ASSERT_TRUE(found) << half_angle << " from " << start;

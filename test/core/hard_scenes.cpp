@@ -8,20 +8,20 @@
 #include <limits>
 
 #include "primitect/detector.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
 
+using test::kNoise;
+using test::kTable;
 using test::measured;
 using test::patchOf;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kNoise = 0.001;
 constexpr double kTurn = 0.05;  // rad, of normals
-
-const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
 
 std::vector<Detection> detected(const std::vector<SurfacePoint>& points, const Params& params = Params()) {
   return Detector(params).detect(test::cloudOf(points)).items;

@@ -14,13 +14,12 @@ namespace primitect {
 namespace {
 
 using test::hypothesisOf;
+using test::kNoiseModel;
 using test::pointOn;
 using test::samplesWith;
 using test::SurfacePoint;
 
-/// 1 mm, so that 3 mm are the tolerance; normals off by half a radian are hardly noise.
-const NoiseModel kNoise = {0.001, 0.0, 0.5};
-constexpr double kTolerance = 0.003;
+constexpr double kTolerance = 3.0 * test::kNoise;
 
 /// Seen from the origin; none passes through it, so that signs of distances are not lucky.
 const Plane kPlane = {Vec3(0.1, -0.2, 1.0), Vec3(0.3, 0.2, -0.9).normalized()};
@@ -42,7 +41,7 @@ SurfacePoint strayed(const SurfacePoint& p, double distance, double angle) {
 
 /// The gain of a lone sample; nothing when the shape does not look at it.
 std::optional<double> gainOf(const Shape& shape, const SurfacePoint& p, bool concave = false,
-                             const NoiseModel& noise = kNoise) {
+                             const NoiseModel& noise = kNoiseModel) {
   const Hypothesis hypothesis = hypothesisOf(shape, samplesWith(noise, {p}), concave);
   if (hypothesis.support.empty()) return std::nullopt;
   return hypothesis.support[0].gain;
@@ -72,7 +71,7 @@ TEST(Gain, FallsWithTheAngle) {
   for (const auto& [shape, p] : kPoints) {
     double last = 1.0;
     for (const double share : {0.3, 0.6, 0.9}) {
-      const std::optional<double> gain = gainOf(shape, strayed(p, 0.0, share * kNoise.angle));
+      const std::optional<double> gain = gainOf(shape, strayed(p, 0.0, share * kNoiseModel.angle));
       ASSERT_TRUE(gain) << kindName(kindOf(shape));
       EXPECT_LT(*gain, last - 0.05) << kindName(kindOf(shape)) << " " << share;
       EXPECT_GT(*gain, 0.0) << kindName(kindOf(shape)) << " " << share;
@@ -142,7 +141,7 @@ TEST(Gain, TakesMoreNoiseOfANormalThatIsKnownToBeBad) {
 }
 
 TEST(Evaluate, WidensTheToleranceOfAShapeThatIsNotFittedYet) {
-  const Samples samples = samplesWith(kNoise, {strayed(kPoints[1].second, 2.5 * kTolerance, 0.0)});
+  const Samples samples = samplesWith(kNoiseModel, {strayed(kPoints[1].second, 2.5 * kTolerance, 0.0)});
   Hypothesis hypothesis = hypothesisOf(kSphere, samples);
   EXPECT_TRUE(hypothesis.support.empty());
   evaluate(samples, HeldGains(1, 0.0f), 3.0, hypothesis);
@@ -154,7 +153,7 @@ Samples fiftyAndTwenty() {
   Random random(11);
   std::vector<SurfacePoint> points = test::patchOf(kPlane, 70, 0.2, random);
   for (int k = 50; k < 70; ++k) points[k] = strayed(points[k], 1.5 * kTolerance, 0.0);
-  return samplesWith(kNoise, points);
+  return samplesWith(kNoiseModel, points);
 }
 
 TEST(Score, IsTheSumOfTheGainsLessThePriceOfTheInliers) {

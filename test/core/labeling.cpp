@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/extent.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect {
 namespace {

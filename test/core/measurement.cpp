@@ -6,33 +6,30 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
+#include <numeric>
 
 #include "primitect/detector.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/hypotheses.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
 
+using test::kBall;
+using test::kCan;
+using test::kDegree;
+using test::kHat;
+using test::kNoise;
+using test::kNoiseModel;
 using test::measured;
 using test::patchOf;
-using test::SurfacePoint;
-using test::together;
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kNoise = 0.001;
-
-const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
-const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
-const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
-const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
-
-/// A table with a ball, a can and a cone above it: 40,000 points, more than anything draws.
-constexpr std::uint32_t kPointsOf[] = {20000, 6000, 7000, 7000};
+/// 40,000 points, more than anything draws.
+constexpr std::array<int, kKindCount> kPointsOf = {20000, 6000, 7000, 7000};
 Cloud noisyTabletop() {
   Random random(41);
-  const auto curved = together(patchOf(kBall, 6000, random), together(patchOf(kCan, 7000, -0.1, 0.1, random),
-                                                                      patchOf(kHat, 7000, 0.03, 0.25, random)));
-  return test::cloudOf(measured(together(patchOf(kTable, 20000, 0.5, random), curved), kNoise, 0.05, random));
+  return test::cloudOf(measured(test::tabletop(kPointsOf, random), kNoise, 0.05, random));
 }
 
 /// Of the preset's detections one of each kind, found once for all tests.
@@ -140,16 +137,16 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   Random random(42);
   const Cloud cloud = test::cloudOf(measured(patchOf(kBall, 1000, random), kNoise, 0.05, random));
   std::vector<std::uint32_t> all(1000);
-  for (std::uint32_t i = 0; i < 1000; ++i) all[i] = i;
+  std::iota(all.begin(), all.end(), 0u);
   Params params;
   params.max_radius = 0.0795;
   Detection detection;
   detection.shape = Sphere{kBall.center, 0.079};
-  const Detection kept = Measurement(cloud, params, {kNoise, 0.0, 0.5}, {params, 1.0}).of(detection, {all, 4000});
+  const Detection kept = Measurement(cloud, params, kNoiseModel, {params, 1.0}).of(detection, {all, 4000});
   EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
   EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
   params.max_radius = 0.0;
-  const Detection fitted = Measurement(cloud, params, {kNoise, 0.0, 0.5}, {params, 1.0}).of(detection, {all, 4000});
+  const Detection fitted = Measurement(cloud, params, kNoiseModel, {params, 1.0}).of(detection, {all, 4000});
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 

@@ -10,14 +10,13 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
+using test::kNoise;
 using test::measured;
 using test::patchOf;
 using test::proposalAt;
 using test::samplesWith;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kNoise = 0.001;
 
 const Sphere kBall = {Vec3(0, 0, 1), 0.08};
 const Plane kWall = {Vec3(0, 0, 1), Vec3(0, 0, -1)};

@@ -16,9 +16,8 @@ namespace primitect {
 namespace {
 
 using test::cameraCloud;
+using test::kDegree;
 using test::patchOf;
-
-constexpr double kDegree = M_PI / 180.0;
 
 TEST(WindowNormals, AreExactOnSlantedPlanesAndPointToTheSensor) {
   for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0.5, 0, 1), Vec3(-0.3, 0.8, 1), Vec3(0.0, 1.5, 1)}) {

@@ -10,17 +10,16 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
+using test::kNoise;
+using test::kNoiseModel;
 using test::measured;
 using test::patchOf;
 using test::proposalAt;
 using test::samplesWith;
 using test::SurfacePoint;
-using test::together;
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kNoise = 0.001;
 constexpr double kTurn = 0.08;  // rad, of normals
-const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
 
 const Cylinder kCan = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
 const Sphere kBall = {Vec3(0, 0, 1), 0.08};
@@ -50,7 +49,7 @@ Proposed proposed(const Samples& samples, const std::vector<Candidate>& candidat
 
 Samples noisy(const std::vector<SurfacePoint>& points, std::uint64_t seed) {
   Random random(seed);
-  return samplesWith(kNoiseModel, measured(points, kNoise, kTurn, random));
+  return test::noisySamples(points, kTurn, random);
 }
 
 /// 400 samples of the can; the one that faces the sensor most is the reference of what is proposed.
@@ -179,7 +178,7 @@ TEST(Proposal, LeavesNoCurvedShapeOnASmallPatchWithNoisyNormals) {
   int curved = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
-    const Samples samples = samplesWith(kNoiseModel, measured(patchOf(kWall, 30, 0.015, random), kNoise, 0.1, random));
+    const Samples samples = test::noisySamples(patchOf(kWall, 30, 0.015, random), 0.1, random);
     const Proposed result = proposed(samples, {proposalAt(Sphere{Vec3(0, 0, 1.05), 0.05}, samples, 0)});
     for (const Hypothesis& h : result.pool) curved += kindOf(h.shape) != Kind::plane;
   }
@@ -259,9 +258,7 @@ TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   const Samples nearly = noisy(patchOf(cone, 300, middle - 0.02, middle + 0.02, random), 11);
   const Samples can = samplesOfCan(), ball = noisy(patchOf(kBall, 300, random), 12);
   const auto rivalOf = [&params](const Shape& shape, const Samples& samples) {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t i = 0; i < samples.size(); ++i) all.push_back(i);
-    return bestRival(samples, HeldGains(samples.size(), 0.0f), all, rulesOf(params),
+    return bestRival(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rulesOf(params),
                      test::hypothesisOf(shape, samples));
   };
   ASSERT_TRUE(rivalOf(cone, nearly).kind);

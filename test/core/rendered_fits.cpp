@@ -36,8 +36,7 @@ void addFit(const Shape& truth, const std::vector<Vec3>& points, std::array<Mean
   const auto noise = [](const Vec3& p) { return synthetic::axialSigma(p.z()); };
   Samples samples;
   for (const Vec3& p : points) test::append(samples, {p, Vec3::UnitZ()});
-  std::vector<std::uint32_t> all(samples.size());
-  std::iota(all.begin(), all.end(), 0u);
+  const std::vector<std::uint32_t> all = test::allOf(samples);
   const auto fit = refine(truth, {samples, all}, [&](const Vec3& p) { return kInlierDeviations * noise(p); });
   ASSERT_TRUE(fit);
   const Shape shape = withoutBias(*fit, points, noise, NoiseDirection::along_ray);

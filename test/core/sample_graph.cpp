@@ -68,6 +68,45 @@ TEST(SampleGraph, HoldsTheNearestOfAllOthers) {
   }
 }
 
+/// Rows of points along x, each on its own height.
+std::vector<Vec3> rowsOf(int rows, int first_row) {
+  std::vector<Vec3> points;
+  Random random(13);
+  for (int row = first_row; row < first_row + rows; ++row) {
+    for (int k = 0; k < 37; ++k) points.emplace_back(0.01 * k + 0.004 * random.uniform(), 0.01 * row, 1.0);
+  }
+  return points;
+}
+
+TEST(SampleGraph, IsTheSameWhetherSamplesComeAtOnceOrInRounds) {
+  std::vector<Vec3> points = rowsOf(10, 0);
+  SampleGraph in_rounds, at_once;
+  for (const int first_row : {5, 2, 12}) {
+    in_rounds.build(samplesAt(points));
+    const std::vector<Vec3> more = rowsOf(10, first_row);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  in_rounds.build(samplesAt(points));
+  at_once.build(samplesAt(points));
+  for (std::uint32_t i = 0; i < points.size(); ++i) ASSERT_EQ(in_rounds.of(i), at_once.of(i)) << i;
+}
+
+TEST(SampleGraph, PutsTheNearestFirstAndTheEarlierOfTwoAsNear) {
+  // In steps of powers of two, so that distances are exactly the same on both sides.
+  std::vector<Vec3> points;
+  for (int k = 0; k < 20; ++k) points.emplace_back(0.125 * k, 0.0, 1.0);
+  SampleGraph graph;
+  graph.build(samplesAt(points));
+  EXPECT_EQ(graph.of(10), (SampleGraph::Neighbors{9, 11, 8, 12, 7, 13, 6, 14}));
+  EXPECT_EQ(graph.of(0), (SampleGraph::Neighbors{1, 2, 3, 4, 5, 6, 7, 8}));
+}
+
+TEST(SampleGraph, HoldsOthersWhereManySamplesAreInOnePlace) {
+  SampleGraph graph;
+  graph.build(samplesAt(std::vector<Vec3>(50, Vec3(0.1, 0.2, 1.0))));
+  for (std::uint32_t i = 0; i < 50; ++i) EXPECT_EQ(std::count(graph.of(i).begin(), graph.of(i).end(), i), 0) << i;
+}
+
 TEST(SampleGraph, NamesTheSampleItselfWhereThereAreNoOthers) {
   SampleGraph graph;
   graph.build(samplesAt({Vec3(0, 0, 1), Vec3(0.1, 0, 1), Vec3(0.2, 0, 1)}));

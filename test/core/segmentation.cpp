@@ -15,10 +15,9 @@ namespace primitect {
 namespace {
 
 using test::candidate;
+using test::kDegree;
 using test::patchOf;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// 10 mm and 20 deg.
 const Tolerance kTolerance = {NoiseModel{0.01}, std::cos(20.0 * kDegree), 1.0};

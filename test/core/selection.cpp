@@ -8,19 +8,21 @@
 #include <algorithm>
 
 #include "test/support/hypotheses.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
 
 using test::hypothesisOf;
+using test::kNoise;
+using test::kNoiseModel;
 using test::measured;
+using test::noisySamples;
 using test::patchOf;
 using test::samplesWith;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kNoise = 0.001;
-const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
 constexpr double kTurn = 0.08;  // rad, of normals
 constexpr std::size_t kFewest = 25;
 
@@ -42,8 +44,14 @@ std::vector<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samp
 
 Samples twoBalls() {
   Random random(21);
-  return samplesWith(kNoiseModel, measured(together(patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)),
-                                           kNoise, kTurn, random));
+  return noisySamples(together(patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)), kTurn, random);
+}
+
+/// The point of a plane with these two coordinates.
+SurfacePoint pointAt(const Plane& plane, double x, double y) {
+  Vec3 p(x, y, 0.0);
+  p.z() -= (p - plane.point).dot(plane.normal) / plane.normal.z();
+  return {p, plane.normal};
 }
 
 using Indices = std::vector<std::uint32_t>;
@@ -74,9 +82,8 @@ TEST(Selection, GivesASampleOfTwoShapesToTheOneThatFitsBetter) {
   std::vector<SurfacePoint> points;
   for (int i = 0; i < 600; ++i) {
     const Plane& plane = i < 300 ? front : slanted;
-    Vec3 p(random.uniform(-0.1, 0.1), i < 300 ? random.uniform(0.0, 0.1) : random.uniform(-0.1, 0.0), 1.0);
-    p.z() -= (p - plane.point).dot(plane.normal) / plane.normal.z();
-    points.push_back({p, plane.normal});
+    const double x = random.uniform(-0.1, 0.1);
+    points.push_back(pointAt(plane, x, i < 300 ? random.uniform(0.0, 0.1) : random.uniform(-0.1, 0.0)));
   }
   const Samples samples = samplesWith(kNoiseModel, points);
   const Selection selection = selectHypotheses(samples, poolOf({front, slanted}, samples), kFewest);
@@ -99,7 +106,7 @@ TEST(Selection, TakesTheBetterOfTwoVersionsWhereverItStands) {
 TEST(Selection, CountsNearlyEqualPlanesOnce) {
   Random random(23);
   const Plane table = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
-  const Samples samples = samplesWith(kNoiseModel, measured(patchOf(table, 600, 0.2, random), kNoise, kTurn, random));
+  const Samples samples = noisySamples(patchOf(table, 600, 0.2, random), kTurn, random);
   // Versions as fits to parts of the table would give: shifted by a millimetre, turned by half a degree.
   std::vector<Shape> planes;
   for (const double turn : {-0.01, 0.0, 0.01}) {
@@ -112,14 +119,10 @@ TEST(Selection, CountsNearlyEqualPlanesOnce) {
 
 TEST(Selection, TakesTwoPlanesRatherThanOneConeOverTwoFaces) {
   Random random(24);
-  const Plane front = {Vec3(0, 0, 1), Vec3(0, 0, -1)}, top = {Vec3(0, -0.1, 1.1), Vec3(0, -1, 0)};
-  const Samples samples = samplesWith(
-      kNoiseModel,
-      measured(together(patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)), kNoise, kTurn, random));
-  // The cone that touches both faces along lines through their common edge.
-  const Cone cone = {Vec3(-0.1, -0.1, 1.0), Vec3(1, 1, 1).normalized(), std::asin(std::sqrt(1.0 / 3.0))};
-  ASSERT_GT(test::inlierCount(hypothesisOf(cone, samples)), kFewest);
-  EXPECT_EQ(chosenOf({cone, front, top}, samples), (Indices{1, 2}));
+  const test::TwoFaces box;
+  const Samples samples = noisySamples(box.points(random), kTurn, random);
+  ASSERT_GT(test::inlierCount(hypothesisOf(box.cone, samples)), kFewest);
+  EXPECT_EQ(chosenOf({box.cone, box.front, box.top}, samples), (Indices{1, 2}));
 }
 
 TEST(Selection, ExchangesALargeWrongShapeForTwoRightOnes) {
@@ -132,9 +135,8 @@ TEST(Selection, ExchangesALargeWrongShapeForTwoRightOnes) {
   std::vector<SurfacePoint> points;
   for (int i = 0; i < 800; ++i) {
     const Plane& plane = i < 400 ? left : right;
-    Vec3 p(i < 400 ? random.uniform(-0.08, 0.0) : random.uniform(0.0, 0.08), random.uniform(-0.1, 0.1), 1.0);
-    p.z() -= (p - plane.point).dot(plane.normal) / plane.normal.z();
-    points.push_back({p, plane.normal});
+    const double x = i < 400 ? random.uniform(-0.08, 0.0) : random.uniform(0.0, 0.08);
+    points.push_back(pointAt(plane, x, random.uniform(-0.1, 0.1)));
   }
   const Samples samples = samplesWith(kNoiseModel, measured(points, 0.5 * kNoise, 0.02, random));
   // Normals turn by 8 deg over 8 cm between the middles of the halves; in between the strip is at most 1.4 mm off.
@@ -159,7 +161,7 @@ TEST(Selection, LeavesOutAShapeThatFewerSamplesSpeakForThanAgainst) {
   // A sphere that touches a plane from behind fits in a small cap; around it, samples are near but off.
   Random random(27);
   const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
-  const Samples samples = samplesWith(kNoiseModel, measured(patchOf(plane, 800, 0.15, random), kNoise, kTurn, random));
+  const Samples samples = noisySamples(patchOf(plane, 800, 0.15, random), kTurn, random);
   const Sphere bulge = {Vec3(0, 0, 1.4), 0.4};
   ASSERT_GT(test::inlierCount(hypothesisOf(bulge, samples)), kFewest);
   EXPECT_TRUE(chosenOf({bulge}, samples).empty());

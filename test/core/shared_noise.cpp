@@ -13,6 +13,7 @@
 namespace primitect {
 namespace {
 
+using test::kKinds;
 using test::Patch;
 
 constexpr double kNoise = 0.002;
@@ -36,14 +37,11 @@ Fit fitWithSharedNoise(const Patch& patch, double edge, Random& random) {
     p.point += kNoise * deviation * p.normal;
   }
   const Samples samples = test::samplesOf(points);
-  std::vector<std::uint32_t> all(samples.size());
-  std::iota(all.begin(), all.end(), 0u);
-  Fit fit{*refine(patch.truth, {samples, all}, [](const Vec3&) { return kInlierDeviations * kNoise; }), {}};
+  Fit fit{*refine(patch.truth, {samples, test::allOf(samples)}, [](const Vec3&) { return kInlierDeviations * kNoise; }),
+          {}};
   for (const test::SurfacePoint& p : points) fit.points.push_back(p.point);
   return fit;
 }
-
-constexpr Kind kKinds[] = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 
 TEST(SharedNoise, OfIndependentPointsIsOneButForChance) {
   for (const Kind kind : kKinds) {

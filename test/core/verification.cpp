@@ -8,18 +8,19 @@
 #include <algorithm>
 
 #include "test/support/candidates.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
 
+using test::kDegree;
+using test::kNoise;
 using test::measured;
 using test::patchOf;
 using test::SurfacePoint;
 using test::together;
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kNoise = 0.001;
 constexpr double kTurn = 0.06;  // rad, of normals
 constexpr double kDiameter = 1.0;
 
@@ -168,13 +169,11 @@ TEST(Verification, KeepsPartsOfOnePlaneTogether) {
 
 TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   Random random(97);
-  const Plane front = {Vec3(0, 0, 1), Vec3(0, 0, -1)}, top = {Vec3(0, -0.1, 1.1), Vec3(0, -1, 0)};
-  const std::vector<SurfacePoint> points =
-      noisy(together(patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)), random);
-  // The cone that touches both faces along lines through their common edge.
-  const Cone cone = {Vec3(-0.1, -0.1, 1.0), Vec3(1, 1, 1).normalized(), std::asin(std::sqrt(1.0 / 3.0))};
-  std::vector<Candidate> candidates = {test::candidate(cone, points[1], 100.0), test::candidate(front, points[0], 90.0),
-                                       test::candidate(top, points[300], 80.0)};
+  const test::TwoFaces box;
+  const std::vector<SurfacePoint> points = noisy(box.points(random), random);
+  std::vector<Candidate> candidates = {test::candidate(box.cone, points[1], 100.0),
+                                       test::candidate(box.front, points[0], 90.0),
+                                       test::candidate(box.top, points[300], 80.0)};
   candidates[0].sample = 1;
   candidates[2].sample = 300;
   Verification verification{Params()};

@@ -13,27 +13,19 @@ namespace primitect {
 namespace {
 
 using test::candidatesOf;
-using test::median;
+using test::expectWithinBins;
+using test::kDegree;
 using test::patchOf;
 using test::pointOn;
 using test::shapesOf;
 using test::SurfacePoint;
-
-constexpr double kDegree = M_PI / 180.0;
 
 TEST(SphereVotes, FindRadiusBetweenTwoBins) {
   Random random(21);
   // Bins of 10 mm: centres at 0.095 and 0.105.
   for (const double radius : {0.0975, 0.1, 0.1033}) {
     const Sphere sphere = {Vec3(0.0, 0.0, 1.0), radius};
-    const std::vector<Candidate> candidates = candidatesOf(patchOf(sphere, 300, random), 2.0);
-    const std::vector<Sphere> spheres = shapesOf<Sphere>(candidates);
-    ASSERT_GT(spheres.size(), 250u);
-    for (const Sphere& found : spheres) {
-      // Exact data: what is left is float rounding of the radius at the smallest angles.
-      EXPECT_NEAR(found.radius, radius, 1e-4);
-      EXPECT_LT((found.center - sphere.center).norm(), 2e-4);
-    }
+    test::expectExact(shapesOf<Sphere>(candidatesOf(patchOf(sphere, 300, random), 2.0)), sphere);
   }
 }
 
@@ -75,15 +67,7 @@ TEST(CylinderVotes, FindRadiusAndAxisBetweenBins) {
   for (int trial = 0; trial < 5; ++trial) {
     const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), random.uniform(0.06, 0.2)};
     const std::vector<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
-    const std::vector<Cylinder> cylinders = shapesOf<Cylinder>(candidates);
-    ASSERT_GT(cylinders.size(), 300u);
-    std::vector<double> radius_errors, axis_errors;
-    for (const Cylinder& found : cylinders) {
-      radius_errors.push_back(std::abs(found.radius - cylinder.radius));
-      axis_errors.push_back(test::lineAngle(found.axis, cylinder.axis));
-    }
-    EXPECT_LT(median(radius_errors), 2e-4);
-    EXPECT_LT(median(axis_errors), 0.05 * kDegree);
+    expectWithinBins(shapesOf<Cylinder>(candidates), cylinder);
   }
 }
 
@@ -116,19 +100,8 @@ TEST(ConeVotes, FindApexAxisAndAngle) {
   for (int trial = 0; trial < 6; ++trial) {
     const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
     const std::vector<Candidate> candidates = candidatesOf(patchOf(cone, 500, 0.05, 0.3, random), 2.0, params);
-    const std::vector<Cone> cones = shapesOf<Cone>(candidates);
-    ASSERT_GT(cones.size(), 300u) << trial;
-    std::vector<double> apex_errors, axis_errors, angle_errors;
-    for (const Cone& found : cones) {
-      apex_errors.push_back((found.apex - cone.apex).norm());
-      axis_errors.push_back(std::acos(std::min(1.0, found.axis.dot(cone.axis))));
-      angle_errors.push_back(std::abs(found.half_angle - cone.half_angle));
-    }
-    // The ball's weights are not exact (a sixth of 10 deg at worst); signs must be right, hence acos of the signed
-    // product.
-    EXPECT_LT(median(axis_errors), 1.5 * kDegree) << trial;
-    EXPECT_LT(median(angle_errors), 1.5 * kDegree) << trial;
-    EXPECT_LT(median(apex_errors), 0.02) << trial;
+    SCOPED_TRACE(trial);
+    expectWithinBins(shapesOf<Cone>(candidates), cone);
   }
 }
 

@@ -10,11 +10,11 @@ namespace {
 
 using kernels::OrientedPoint;
 using kernels::PairFeatures;
+using test::kDegree;
 using test::pointOn;
 using test::SurfacePoint;
 using test::toKernel;
 
-constexpr double kDegree = M_PI / 180.0;
 // Float features of points within 2 m: rounding of 1e-7 relative, amplified by 1 / (1 - C4) at 10 deg.
 constexpr float kRounding = 2e-4f;
 

@@ -12,22 +12,32 @@
 namespace primitect {
 namespace {
 
+using test::kDegree;
 using test::pointOn;
 using test::SurfacePoint;
 
-constexpr double kDegree = M_PI / 180.0;
+/// Votes for one kind of curved shape: rows of 40 bins of R or s_r, and one that stays empty.
+struct KindVotes {
+  std::vector<float> votes;
+  std::vector<int> cells;
+
+  kernels::Bins cleared(std::size_t rows, std::size_t samples) {
+    votes.assign(rows * kStride, 0.0f);
+    cells.resize(4 * samples);
+    return {votes.data(), cells.data(), 0, 0.0f, 0.0f, 0};
+  }
+  bool operator==(const KindVotes& other) const { return votes == other.votes; }
+
+  static constexpr int kStride = 41;
+};
 
 /// Votes for curved surfaces seen from one side.
 struct CurvedVotes {
-  std::vector<float> sphere, cylinder, cone;
+  KindVotes sphere, cylinder, cone;
 
-  void clear(std::size_t radius_bins, std::size_t phi_bins, std::size_t ball_bins) {
-    sphere.assign(radius_bins, 0.0f);
-    cylinder.assign(radius_bins * phi_bins, 0.0f);
-    cone.assign(radius_bins * ball_bins, 0.0f);
+  kernels::CurvedBins cleared(std::size_t phi_bins, std::size_t ball_bins, std::size_t samples) {
+    return {sphere.cleared(1, samples), cylinder.cleared(phi_bins, samples), cone.cleared(ball_bins, samples)};
   }
-
-  kernels::CurvedBins view() { return {sphere.data(), cylinder.data(), cone.data()}; }
 };
 
 /// Votes of one reference with given pairs, in a scene of diameter 5 m (R up to 1 m, pairs up to 1 m apart).
@@ -41,16 +51,24 @@ class Ballot {
 
   void cast(const kernels::Reference& reference, const std::vector<SurfacePoint>& others) {
     const int radius_bins = 40, phi_bins = 18;
-    plane = 0.0f;
-    for (CurvedVotes* side : {&convex, &concave}) side->clear(radius_bins, phi_bins, ball_.binCount());
-    kernels::Accumulators bins = {&plane,   convex.view(),    concave.view(), radius_bins,
-                                  phi_bins, ball_.binCount(), 40.0f,          ball_.view()};
     const Samples samples = test::samplesOf(others);
+    kernels::Accumulators bins = {0.0f,
+                                  convex.cleared(phi_bins, ball_.binCount(), others.size()),
+                                  concave.cleared(phi_bins, ball_.binCount(), others.size()),
+                                  radius_bins,
+                                  KindVotes::kStride,
+                                  phi_bins,
+                                  40.0f,
+                                  ball_.view()};
     kernels::vote(reference, samples.view(), rules, bins);
+    plane = bins.plane;
   }
 
-  static double mass(const std::vector<float>& votes) { return std::accumulate(votes.begin(), votes.end(), 0.0); }
+  static double mass(const KindVotes& kind) { return std::accumulate(kind.votes.begin(), kind.votes.end(), 0.0); }
   static double mass(const CurvedVotes& side) { return mass(side.sphere) + mass(side.cylinder) + mass(side.cone); }
+
+  /// Bins with exactly one vote.
+  static std::ptrdiff_t ones(const KindVotes& kind) { return std::count(kind.votes.begin(), kind.votes.end(), 1.0f); }
 
   kernels::VotingRules rules;
   float plane = 0.0f;
@@ -116,8 +134,8 @@ TEST(Votes, WithoutSpreadingFallIntoOneBinEach) {
   params.spread_votes = false;
   Ballot ballot(params);
   ballot.cast(pointOn(kCylinder, 0.0, 0.0), {pointOn(kCylinder, 0.4, 0.8)});
-  EXPECT_EQ(std::count(ballot.convex.cylinder.begin(), ballot.convex.cylinder.end(), 1.0f), 1);
-  EXPECT_EQ(std::count(ballot.convex.cone.begin(), ballot.convex.cone.end(), 1.0f), 1);
+  EXPECT_EQ(Ballot::ones(ballot.convex.cylinder), 1);
+  EXPECT_EQ(Ballot::ones(ballot.convex.cone), 1);
   EXPECT_EQ(Ballot::mass(ballot.convex.cylinder), 1.0);
   EXPECT_EQ(Ballot::mass(ballot.convex.cone), 1.0);
 }
@@ -160,10 +178,10 @@ TEST(Votes, SpreadTheConesAxisDistanceBetweenTwoLayers) {
   const double axis_distance = height * std::tan(kCone.half_angle) / std::cos(kCone.half_angle);
   Ballot ballot;
   ballot.cast(pointOn(kCone, height, 0.0), {pointOn(kCone, 0.8, 1.2)});
-  const std::size_t ball_bins = ballot.convex.cone.size() / 40;
+  const std::vector<float>& votes = ballot.convex.cone.votes;
   double mean = 0.0;
-  for (std::size_t bin = 0; bin < ballot.convex.cone.size(); ++bin) {
-    mean += ballot.convex.cone[bin] * (static_cast<double>(bin / ball_bins) + 0.5) / 40.0;
+  for (std::size_t bin = 0; bin < votes.size(); ++bin) {
+    mean += votes[bin] * (static_cast<double>(bin % KindVotes::kStride) + 0.5) / 40.0;
   }
   EXPECT_NEAR(mean, axis_distance, 1e-3);  // a layer is 25 mm
 }
@@ -175,7 +193,7 @@ TEST(Votes, OfASphereWithoutSpreadingFallIntoOneBin) {
   Ballot ballot(params);
   ballot.cast(reference,
               {turned(reference, pointOn(kSphere, Vec3(std::sin(0.6), 0.0, -std::cos(0.6))), 2.0 * kDegree)});
-  EXPECT_EQ(std::count(ballot.convex.sphere.begin(), ballot.convex.sphere.end(), 1.0f), 1);
+  EXPECT_EQ(Ballot::ones(ballot.convex.sphere), 1);
   EXPECT_EQ(Ballot::mass(ballot.convex.sphere), 1.0);
 }
 
@@ -262,9 +280,9 @@ TEST(Votes, OfRandomPairsSeenFromInsideAreThoseOfTheFlippedPairs) {
                                Ballot::mass(outside.convex.cone), static_cast<double>(outside.plane)}) {
       ASSERT_GT(votes, 0.0);
     }
-    EXPECT_EQ(inside.concave.sphere, outside.convex.sphere);
-    EXPECT_EQ(inside.concave.cylinder, outside.convex.cylinder);
-    EXPECT_EQ(inside.concave.cone, outside.convex.cone);
+    EXPECT_TRUE(inside.concave.sphere == outside.convex.sphere);
+    EXPECT_TRUE(inside.concave.cylinder == outside.convex.cylinder);
+    EXPECT_TRUE(inside.concave.cone == outside.convex.cone);
     EXPECT_NEAR(inside.plane, outside.plane, 1e-4 * outside.plane);  // F2 - pi / 2 is rounded elsewhere
   }
 }
@@ -277,12 +295,12 @@ TEST(Votes, OfBothSidesInOnePassAreThoseOfEachAlone) {
   concave.rules.concave = both.rules.concave = true;
   for (Ballot* ballot : {&convex, &concave, &both}) ballot->cast(points.front(), points);
   EXPECT_GT(Ballot::mass(both.concave), 0.0);
-  EXPECT_EQ(both.convex.sphere, convex.convex.sphere);
-  EXPECT_EQ(both.convex.cylinder, convex.convex.cylinder);
-  EXPECT_EQ(both.convex.cone, convex.convex.cone);
-  EXPECT_EQ(both.concave.sphere, concave.concave.sphere);
-  EXPECT_EQ(both.concave.cylinder, concave.concave.cylinder);
-  EXPECT_EQ(both.concave.cone, concave.concave.cone);
+  EXPECT_TRUE(both.convex.sphere == convex.convex.sphere);
+  EXPECT_TRUE(both.convex.cylinder == convex.convex.cylinder);
+  EXPECT_TRUE(both.convex.cone == convex.convex.cone);
+  EXPECT_TRUE(both.concave.sphere == concave.concave.sphere);
+  EXPECT_TRUE(both.concave.cylinder == concave.concave.cylinder);
+  EXPECT_TRUE(both.concave.cone == concave.concave.cone);
   // A plane has no sides: a pair on either one counts.
   EXPECT_NEAR(both.plane, convex.plane + concave.plane, 1e-4 * both.plane);
 }
@@ -365,7 +383,7 @@ TEST(Votes, SurviveRandomNoise) {
   ballot.cast(points.front(), points);
   EXPECT_LT(Ballot::mass(ballot.convex.cone), 2000.0);
   EXPECT_GT(Ballot::mass(ballot.convex.cone), 0.0);
-  for (const float votes : ballot.convex.cone) EXPECT_GE(votes, 0.0f);
+  for (const float votes : ballot.convex.cone.votes) EXPECT_GE(votes, 0.0f);
 }
 
 }  // namespace

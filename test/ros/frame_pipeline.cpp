@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "cloud_messages.h"
 
@@ -68,6 +70,19 @@ TEST(FramePipeline, ForgetsTheProblemOfTheCloudBefore) {
   pipeline.process(missing());
   pipeline.process(measured(40));
   EXPECT_EQ(pipeline.problem(), "");
+}
+
+TEST(FramePipeline, TellsEachStageAlsoAfterItsParametersChanged) {
+  FramePipeline pipeline{Params()};
+  std::vector<std::string> told;
+  pipeline.onStageDone([&told](const char* stage) { told.emplace_back(stage); });
+  pipeline.setParams(Params());
+  pipeline.times().begin();
+  pipeline.process(measured(40));
+  ASSERT_GE(told.size(), 3u);
+  EXPECT_EQ(told[0], "read");
+  EXPECT_EQ(told[1], "sample");
+  EXPECT_EQ(told[2], "normals");
 }
 
 }  // namespace

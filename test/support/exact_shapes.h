@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/pair_voting.h"
@@ -15,6 +17,10 @@
 #include "primitect/primitives.h"
 
 namespace primitect::test {
+
+constexpr double kDegree = M_PI / 180.0;  ///< rad
+
+constexpr std::array<Kind, kKindCount> kKinds = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 
 struct SurfacePoint {
   Vec3 point, normal;
@@ -65,7 +71,8 @@ inline void append(Samples& samples, const SurfacePoint& p) {
   samples.nx.push_back(o.normal.x);
   samples.ny.push_back(o.normal.y);
   samples.nz.push_back(o.normal.z);
-  for (std::vector<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.normal_limit})
+  for (std::vector<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.inverse_tolerance,
+                                    &samples.normal_loss, &samples.farthest_turn})
     noise->push_back(0.0f);
   samples.index.push_back(static_cast<std::uint32_t>(samples.index.size()));
 }
@@ -76,6 +83,13 @@ inline Samples samplesOf(const std::vector<SurfacePoint>& points) {
   return samples;
 }
 
+inline std::vector<std::uint32_t> allOf(const Samples& samples) {
+  std::vector<std::uint32_t> indices(samples.size());
+  std::iota(indices.begin(), indices.end(), 0u);
+  return indices;
+}
+
+/// Points with their normals, unorganized; NaN makes a missing point.
 inline Cloud cloudOf(const std::vector<SurfacePoint>& points) {
   Cloud cloud;
   cloud.reset(static_cast<std::uint32_t>(points.size()), 1, true);
@@ -154,17 +168,6 @@ std::vector<SurfacePoint> wallOf(const Round& shape, int count, double low, doub
   while (static_cast<int>(points.size()) < count) {
     const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
     if (p.normal.dot(p.point) > 0.0) points.push_back({p.point, -p.normal});
-  }
-  return points;
-}
-
-/// Measured with noise of all axes alike (m, one standard deviation each) and normals turned about two axes (rad each).
-inline std::vector<SurfacePoint> measured(std::vector<SurfacePoint> points, double noise, double turn, Random& random) {
-  for (SurfacePoint& p : points) {
-    const Vec3 x = p.normal.unitOrthogonal(), y = p.normal.cross(x);
-    for (int axis = 0; axis < 3; ++axis) p.point[axis] += noise * random.gaussian();
-    const double along_x = turn * random.gaussian(), along_y = turn * random.gaussian();
-    p.normal = (p.normal + along_x * x + along_y * y).normalized();
   }
   return points;
 }

@@ -5,7 +5,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -106,8 +105,7 @@ struct NoisyFit {
       measured.push_back(p.point);
     }
     const Samples samples = samplesOf(points);
-    std::vector<std::uint32_t> all(samples.size());
-    std::iota(all.begin(), all.end(), 0u);
+    const std::vector<std::uint32_t> all = allOf(samples);
     shape = refine(patch.truth, {samples, all}, [&](const Vec3&) { return kInlierDeviations * sigma; });
   }
 

@@ -11,14 +11,22 @@
 #include "core/proposal.h"
 #include "core/sample_graph.h"
 #include "core/selection.h"
-#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect::test {
+
+/// The noise of all points alike; normals off by half a radian are hardly noise.
+const NoiseModel kNoiseModel = {kNoise, 0.0, 0.5};
 
 inline Samples samplesWith(const NoiseModel& noise, const std::vector<SurfacePoint>& points) {
   Samples samples = samplesOf(points);
   applyNoise(noise, samples);
   return samples;
+}
+
+/// Samples measured with kNoise and normals turned by noise about two axes (rad).
+inline Samples noisySamples(const std::vector<SurfacePoint>& points, double turn, Random& random) {
+  return samplesWith(kNoiseModel, measured(points, kNoise, turn, random));
 }
 
 /// The shape against these samples, of which nothing is explained yet.

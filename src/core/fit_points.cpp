@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Gathering samples into whole lanes; see fit_points.h.
+#include "core/fit_points.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/noise.h"
+
+namespace primitect {
+
+namespace {
+
+/// A point that is no number has no place.
+bool usable(const Samples& s, std::uint32_t i) { return std::isfinite(s.x[i] + s.y[i] + s.z[i]); }
+
+/// Mean of the usable points, in float itself, so that differences to it are exact.
+std::array<float, 3> meanOf(const SampleSet& set) {
+  const Samples& s = set.samples;
+  double x = 0.0, y = 0.0, z = 0.0, count = 0.0;
+  for (const std::uint32_t i : set.indices) {
+    if (!usable(s, i)) continue;
+    x += s.x[i], y += s.y[i], z += s.z[i];
+    count += 1.0;
+  }
+  if (count == 0.0) return {0.0f, 0.0f, 0.0f};
+  return {static_cast<float>(x / count), static_cast<float>(y / count), static_cast<float>(z / count)};
+}
+
+}  // namespace
+
+template <class ToleranceOf>
+void FitPoints::gatherWith(const SampleSet& set, const ToleranceOf& tolerance) {
+  constexpr float kNoWeight = std::numeric_limits<float>::infinity();
+  const std::size_t most = (set.size() + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+  for (std::vector<float>* values : {&x_, &y_, &z_, &nx_, &ny_, &nz_, &once_}) values->assign(most, 0.0f);
+  inverse_tolerance_.assign(most, kNoWeight);
+  const std::array<float, 3> origin = meanOf(set);
+  origin_ = Vec3(origin[0], origin[1], origin[2]);
+  size_ = 0;
+  double tolerances = 0.0;
+  const Samples& s = set.samples;
+  for (const std::uint32_t i : set.indices) {
+    if (!usable(s, i)) continue;
+    const std::size_t k = size_++;
+    x_[k] = s.x[i] - origin[0], y_[k] = s.y[i] - origin[1], z_[k] = s.z[i] - origin[2];
+    nx_[k] = s.nx[i], ny_[k] = s.ny[i], nz_[k] = s.nz[i];
+    inverse_tolerance_[k] = tolerance(i);
+    once_[k] = 1.0f;
+    tolerances += 1.0 / inverse_tolerance_[k];
+  }
+  mean_sigma_ = tolerances / (kInlierDeviations * static_cast<double>(size_));
+}
+
+void FitPoints::gather(const SampleSet& set) {
+  gatherWith(set, [&set](std::uint32_t i) { return set.samples.inverse_tolerance[i]; });
+}
+
+void FitPoints::gather(const SampleSet& set, const std::function<double(const Vec3&)>& tolerance) {
+  gatherWith(set, [&](std::uint32_t i) { return static_cast<float>(1.0 / tolerance(set.samples.point(i))); });
+}
+
+kernels::MomentSums FitPoints::moments() const {
+  const float* const fields[] = {x_.data(), y_.data(), z_.data(), nx_.data(), ny_.data(), nz_.data()};
+  kernels::MomentSums sums;
+  kernels::loops().moments(fields, once_.data(), x_.size(), sums);
+  return sums;
+}
+
+}  // namespace primitect

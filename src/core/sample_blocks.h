@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of samples that are close together, so that a shape need only be compared with the runs that it comes near.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "kernels/loops.h"
+
+namespace primitect {
+
+struct Samples;
+
+struct SampleBlock {
+  std::size_t index, begin, end;
+};
+
+class SampleBlocks {
+ public:
+  static constexpr std::size_t kSize = 64;
+
+  std::size_t size() const { return begin_.size(); }
+  void clear();
+
+  /// Adds the samples from `begin` on; their tolerances are known.
+  void append(const Samples& samples, std::size_t begin);
+
+  /// Calls use(block) for the runs with samples that may be within `widen` times twice their tolerance of the shape.
+  template <class Use>
+  void forNear(const kernels::FlatShape& shape, float widen, const Use& use) const {
+    constexpr float kReach = 2.0f;
+    constexpr std::size_t kAtOnce = 64;
+    float distance[kAtOnce];
+    for (std::size_t first = 0; first < begin_.size(); first += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, begin_.size() - first);
+      kernels::loops().distances(shape, x_.data() + first, y_.data() + first, z_.data() + first, count, distance);
+      for (std::size_t k = 0; k < count; ++k) {
+        const float away = distance[k] < 0.0f ? -distance[k] : distance[k];
+        const std::size_t block = first + k;
+        // Distances to a surface differ by no more than the points are apart.
+        if (away <= radius_[block] + kReach * widen * tolerance_[block])
+          use(SampleBlock{block, begin_[block], end_[block]});
+      }
+    }
+  }
+
+ private:
+  std::vector<std::size_t> begin_, end_;
+  std::vector<float> x_, y_, z_, radius_;  ///< of a sphere around the samples (m)
+  std::vector<float> tolerance_;           ///< the largest (m)
+};
+
+}  // namespace primitect

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The normal at a pixel of a depth image, from the window around it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "primitect/cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+struct WindowNormal {
+  Vec3 direction;
+  double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
+};
+
+/// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
+/// (2 half_width + 1)^2 pixels, half_width at most kernels::kLargestHalfWidth. In these coordinates a plane is linear
+/// and the noise of a depth camera even. Nothing when too few pixels of the window lie on one surface with the centre.
+/// Needs z > 0.
+std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width);
+
+/// The same at a point that falls into this pixel, whichever point the image holds there.
+std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width);
+
+}  // namespace primitect

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the fits to image windows take and give; see loops.h.
+#pragma once
+
+#include <cstddef>
+
+namespace primitect::kernels {
+
+/// Points of an organized cloud; NaN where one is missing.
+struct PointImage {
+  const float *x, *y, *z;
+  std::size_t width, height;
+};
+
+constexpr std::size_t kLargestHalfWidth = 30;  ///< px, of a window
+
+/// A plane to be fitted to the window around a pixel. u = x / z, v = y / z, d = depth / z - 1.
+struct WindowTask {
+  std::size_t pixel;
+  std::size_t half_width, inner_half_width;  ///< px; the inner window gives the start
+  float depth, u, v;                         ///< of the centre (m, -, -)
+  float largest_jump;                        ///< share of the depth that parts another surface, at the start
+  float tolerance;                           ///< share of the depth, about the fitted plane
+  int fewest_at_start;                       ///< pixels
+};
+
+/// d = a (u - u of the centre) + b (v - v of the centre) + c.
+struct WindowPlane {
+  double a = 0.0, b = 0.0, c = 0.0;
+  double variance = 0.0;  ///< of a and b (mean), for noise of d of 1
+  int used = 0;           ///< pixels; 0: there is no such plane
+};
+
+}  // namespace primitect::kernels

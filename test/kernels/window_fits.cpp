@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Fits to image windows, of every instruction set, against the definition in double.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/random.h"
+#include "test/support/exact_shapes.h"
+#include "test/support/plain_window_fit.h"
+
+namespace primitect {
+namespace {
+
+using kernels::allLoops;
+using kernels::Loops;
+using kernels::PointImage;
+using kernels::WindowPlane;
+using kernels::WindowTask;
+
+PointImage imageOf(const Cloud& cloud) {
+  return {cloud.x.data(), cloud.y.data(), cloud.z.data(), cloud.width, cloud.height};
+}
+
+WindowTask taskAt(const Cloud& cloud, std::size_t pixel, std::size_t half_width) {
+  const float depth = cloud.z[pixel];
+  return {pixel,  half_width, (half_width + 1) / 2, depth, cloud.x[pixel] / depth, cloud.y[pixel] / depth, 0.04f,
+          0.005f, 6};
+}
+
+/// Points along the same rays at other depths.
+void scale(Cloud& cloud, std::size_t i, float factor) {
+  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
+}
+
+/// A slanted plane with noise, a step, stragglers and holes.
+Cloud roughCloud(std::uint64_t seed) {
+  Random random(seed);
+  Cloud cloud = test::cameraCloud(Vec3(0.4, -0.2, 1.0).normalized(), 1.0);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    scale(cloud, i, 1.0f + 0.001f * static_cast<float>(random.gaussian()));
+    if (i % cloud.width > 100) scale(cloud, i, 1.3f);
+    if (random.uniform() < 0.05) scale(cloud, i, 1.02f);
+    if (random.uniform() < 0.1) cloud.setPoint(i, 0.0f, 0.0f, 0.0f, {});
+  }
+  return cloud;
+}
+
+TEST(WindowFits, AgreeWithTheDefinitionInDouble) {
+  int fitted = 0;
+  for (const std::size_t half_width : {3u, 7u, 8u, 10u, 30u}) {
+    const Cloud cloud = roughCloud(51 + half_width);
+    for (std::size_t pixel = 0; pixel < cloud.size(); pixel += 97) {
+      if (!cloud.valid(pixel)) continue;
+      const WindowTask task = taskAt(cloud, pixel, half_width);
+      const WindowPlane plain = test::plainWindowFit(imageOf(cloud), task);
+      for (const Loops* loops : allLoops()) {
+        const WindowPlane found = loops->fitWindow(imageOf(cloud), task);
+        // A pixel on the threshold may fall to either side of it: it weighs one in the window's.
+        ASSERT_NEAR(found.used, plain.used, 1) << loops->name << " at " << pixel;
+        if (found.used != plain.used || plain.used == 0) continue;
+        ++fitted;
+        // Rounding of d is 1e-7 at a slope per window of 1e-2 and more.
+        EXPECT_NEAR(found.a, plain.a, 1e-4) << loops->name << " at " << pixel;
+        EXPECT_NEAR(found.b, plain.b, 1e-4);
+        EXPECT_NEAR(found.c, plain.c, 1e-6);
+        EXPECT_NEAR(found.variance, plain.variance, 1e-4 * plain.variance);
+      }
+    }
+  }
+  EXPECT_GT(fitted, 600);
+}
+
+TEST(WindowFits, GiveTheSameBitsOnEveryInstructionSet) {
+  const Cloud cloud = roughCloud(52);
+  for (std::size_t pixel = 0; pixel < cloud.size(); pixel += 31) {
+    if (!cloud.valid(pixel)) continue;
+    const WindowTask task = taskAt(cloud, pixel, 3 + pixel % 9);
+    const WindowPlane first = (*allLoops().begin())->fitWindow(imageOf(cloud), task);
+    for (const Loops* loops : allLoops()) {
+      const WindowPlane found = loops->fitWindow(imageOf(cloud), task);
+      EXPECT_EQ(found.used, first.used) << loops->name << " at " << pixel;
+      EXPECT_EQ(found.a, first.a);
+      EXPECT_EQ(found.b, first.b);
+      EXPECT_EQ(found.c, first.c);
+      EXPECT_EQ(found.variance, first.variance);
+    }
+  }
+}
+
+TEST(WindowFits, ReadNothingBeyondASmallImage) {
+  for (const std::uint32_t width : {1u, 5u, 7u}) {
+    Cloud cloud;
+    cloud.reset(width, 9, false);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      cloud.setPoint(i, 0.01f * static_cast<float>(i % width), 0.01f * static_cast<float>(i / width), 1.0f, {});
+    }
+    const WindowTask task = taskAt(cloud, cloud.size() / 2, 7);
+    for (const Loops* loops : allLoops()) {
+      const WindowPlane found = loops->fitWindow(imageOf(cloud), task);
+      // One column is a line: no plane.
+      EXPECT_EQ(found.used, width == 1 ? 0 : static_cast<int>(cloud.size())) << loops->name;
+      EXPECT_NEAR(found.a, 0.0, 1e-5);
+    }
+  }
+}
+
+TEST(WindowFits, FindNothingWhereNothingWasMeasured) {
+  Cloud cloud = test::cameraCloud(Vec3::UnitZ(), 1.0);
+  const WindowTask task = taskAt(cloud, 60 * 160 + 80, 7);
+  for (float& z : cloud.z) z = std::numeric_limits<float>::quiet_NaN();
+  for (const Loops* loops : allLoops()) EXPECT_EQ(loops->fitWindow(imageOf(cloud), task).used, 0) << loops->name;
+}
+
+}  // namespace
+}  // namespace primitect
