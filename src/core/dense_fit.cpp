@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 #include "core/fitting.h"
@@ -60,20 +58,6 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
   });
 }
 
-Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise) {
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  Samples points;
-  points.index = index;
-  points.resize(index.size());
-  for (std::size_t k = 0; k < index.size(); ++k) {
-    points.x[k] = cloud.x[index[k]], points.y[k] = cloud.y[index[k]], points.z[k] = cloud.z[index[k]];
-    points.nx[k] = points.ny[k] = points.nz[k] = kMissing;
-    points.normal_sigma[k] = 0.0f;
-  }
-  applyNoise(noise, points);
-  return points;
-}
-
 namespace {
 
 /// Share of the points that a cone must explain beyond a cylinder.
@@ -115,11 +99,7 @@ Shape straightened(const Cone& cone, const Vec3& middle) {
 
 }  // namespace
 
-Shape refineOnPoints(const Shape& shape, const Samples& samples, const Limits& limits) {
-  std::vector<std::uint32_t> all(samples.size());
-  std::iota(all.begin(), all.end(), 0u);
-  FitPoints points;
-  points.gather({samples, all});
+Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   std::vector<Shape> starts = {shape};
   // Any point amid the others.
   const Vec3 middle = points.origin();
