@@ -4,12 +4,12 @@
 #include "core/dense_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 #include "core/fitting.h"
+#include "core/flat.h"
 
 namespace primitect {
 
@@ -58,39 +58,29 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
   });
 }
 
-Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise) {
-  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  Samples points;
-  points.index = index;
-  points.resize(index.size());
-  for (std::size_t k = 0; k < index.size(); ++k) {
-    points.x[k] = cloud.x[index[k]], points.y[k] = cloud.y[index[k]], points.z[k] = cloud.z[index[k]];
-    points.nx[k] = points.ny[k] = points.nz[k] = kMissing;
-    points.normal_sigma[k] = 0.0f;
-  }
-  applyNoise(noise, points);
-  return points;
-}
-
 namespace {
 
 /// Share of the points that a cone must explain beyond a cylinder.
 constexpr double kConePrice = 0.005;
 
 /// Sum of 1 - (distance / tolerance)^2 over the points within the tolerance.
-double fitOf(const Shape& shape, const Samples& points) {
+double fitOf(const Shape& shape, const FitPoints& points) {
+  constexpr std::size_t kAtOnce = 256;
+  std::array<float, kAtOnce> distance;
+  const kernels::FlatShape flat = flattened(shape, points.origin());
+  const kernels::FitPoints p = points.view();
   double sum = 0.0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double share = distance(shape, points.point(k)) / (kInlierDeviations * points.sigma[k]);
-    if (std::abs(share) < 1.0) sum += 1.0 - share * share;
+  for (std::size_t begin = 0; begin < p.count; begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, p.count - begin);
+    kernels::loops().distances(flat, p.x + begin, p.y + begin, p.z + begin, count, distance.data());
+    std::array<float, kernels::kLanes> some = {};
+    for (std::size_t k = 0; k < count; ++k) {
+      const float share = distance[k] * p.inverse_tolerance[begin + k];
+      some[k % kernels::kLanes] += share * share < 1.0f ? 1.0f - share * share : 0.0f;
+    }
+    for (const float of_lane : some) sum += of_lane;
   }
   return sum;
-}
-
-Vec3 meanOf(const Samples& points) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < points.size(); ++k) sum += points.point(k);
-  return sum / static_cast<double>(points.size());
 }
 
 /// Slightly tapered either way: where the search for a cone on a cylinder's points begins.
@@ -109,19 +99,18 @@ Shape straightened(const Cone& cone, const Vec3& middle) {
 
 }  // namespace
 
-Shape refineOnPoints(const Shape& shape, const Samples& points, const NoiseModel& noise, const Limits& limits) {
-  std::vector<std::uint32_t> all(points.size());
-  std::iota(all.begin(), all.end(), 0u);
+Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   std::vector<Shape> starts = {shape};
+  // Any point amid the others.
+  const Vec3 middle = points.origin();
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    for (const Shape& cone : tapered(*cylinder, meanOf(points))) starts.push_back(cone);
+    for (const Shape& cone : tapered(*cylinder, middle)) starts.push_back(cone);
   }
-  if (const Cone* cone = std::get_if<Cone>(&shape)) starts.push_back(straightened(*cone, meanOf(points)));
+  if (const Cone* cone = std::get_if<Cone>(&shape)) starts.push_back(straightened(*cone, middle));
   Shape best = shape;
   double best_fit = -1.0;
   for (const Shape& start : starts) {
-    const std::optional<Shape> fitted =
-        refine(start, {points, all}, [&](const Vec3& p) { return kInlierDeviations * noise.at(p); });
+    const std::optional<Shape> fitted = refine(start, points);
     if (!fitted || !limits.hold(*fitted)) continue;
     const double price = kindOf(*fitted) == Kind::cone ? kConePrice * static_cast<double>(points.size()) : 0.0;
     const double fit = fitOf(*fitted, points) - price;

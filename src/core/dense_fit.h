@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/competition.h"
-#include "core/noise.h"
+#include "core/fit_points.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -23,11 +23,8 @@ struct LabelledPoints {
 void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
                     std::vector<LabelledPoints>& points);
 
-/// As samples without normals.
-Samples samplesAt(const Cloud& cloud, const std::vector<std::uint32_t>& index, const NoiseModel& noise);
-
-/// The shape fitted to its points; the old one when that fails or breaks the limits. On many points a cylinder and a
-/// cone that tapers little can be told apart: both are tried for either.
-Shape refineOnPoints(const Shape& shape, const Samples& points, const NoiseModel& noise, const Limits& limits);
+/// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many
+/// points a cylinder and a cone that tapers little can be told apart: both are tried for either.
+Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits);
 
 }  // namespace primitect

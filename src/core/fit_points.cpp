@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/noise.h"
+#include "core/point_noise.h"
 
 namespace primitect {
 
@@ -60,6 +60,29 @@ void FitPoints::gather(const SampleSet& set) {
 
 void FitPoints::gather(const SampleSet& set, const std::function<double(const Vec3&)>& tolerance) {
   gatherWith(set, [&](std::uint32_t i) { return static_cast<float>(1.0 / tolerance(set.samples.point(i))); });
+}
+
+void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
+  constexpr float kNoWeight = std::numeric_limits<float>::infinity();
+  size_ = seen.size();
+  origin_ = seen.origin;
+  x_ = seen.x, y_ = seen.y, z_ = seen.z;
+  for (std::vector<float>* values : {&nx_, &ny_, &nz_, &once_}) values->clear();
+  const kernels::FlatTolerance tolerance = flattened(noise, kInlierDeviations);
+  const auto origin = static_cast<float>(origin_.z());
+  inverse_tolerance_.resize(size_);
+  for (float& z : z_) z += origin;
+  kernels::loops().tolerances(tolerance, z_.data(), size_, inverse_tolerance_.data());
+  z_ = seen.z;
+  double tolerances = 0.0;
+  for (float& value : inverse_tolerance_) {
+    tolerances += value;
+    value = 1.0f / value;
+  }
+  mean_sigma_ = tolerances / (kInlierDeviations * static_cast<double>(size_));
+  const std::size_t filled = (size_ + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+  for (std::vector<float>* values : {&x_, &y_, &z_}) values->resize(filled, 0.0f);
+  inverse_tolerance_.resize(filled, kNoWeight);
 }
 
 kernels::MomentSums FitPoints::moments() const {

@@ -7,7 +7,9 @@
 #include <functional>
 #include <vector>
 
+#include "core/noise.h"
 #include "core/samples.h"
+#include "core/seen_points.h"
 #include "kernels/loops.h"
 #include "primitect/primitives.h"
 
@@ -31,6 +33,9 @@ class FitPoints {
 
   /// The same with this tolerance (m).
   void gather(const SampleSet& set, const std::function<double(const Vec3&)>& tolerance);
+
+  /// Points without normals, whose moments are not asked for.
+  void gather(const SeenPoints& seen, const NoiseModel& noise);
 
   std::size_t size() const { return size_; }
   const Vec3& origin() const { return origin_; }

@@ -21,19 +21,20 @@ DepthRange rangeOf(const Params& params) {
 Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
     : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
 
-Shape Measurement::fitted(const Shape& shape, const Samples& samples, const SeenPoints& points) const {
-  const Shape fit = refineOnPoints(shape, samples, noise_, limits_);
+Shape Measurement::fitted(const Shape& shape, const SeenPoints& points) const {
+  FitPoints fit_points;
+  fit_points.gather(points, noise_);
+  const Shape fit = refineOnPoints(shape, fit_points, limits_);
   const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape unbiased = withoutBias(fit, points, sigma_, direction);
   return limits_.hold(unbiased) ? unbiased : fit;
 }
 
 Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled) const {
-  const Samples samples = samplesAt(cloud_, labelled.index, noise_);
   SeenPoints points;
   points.gather(cloud_, labelled.index);
   Detection measured = detection;
-  measured.shape = canonical(fitted(detection.shape, samples, points));
+  measured.shape = canonical(fitted(detection.shape, points));
   measured.extent = measureExtent(measured.shape, points);
   measured.inlier_count = static_cast<std::uint32_t>(labelled.all);
   measured.rms_error = rmsDistance(measured.shape, points);

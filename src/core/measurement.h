@@ -24,7 +24,7 @@ class Measurement {
   Detection of(const Detection& detection, const LabelledPoints& points) const;
 
  private:
-  Shape fitted(const Shape& shape, const Samples& samples, const SeenPoints& points) const;
+  Shape fitted(const Shape& shape, const SeenPoints& points) const;
 
   const Cloud& cloud_;
   NoiseModel noise_;

@@ -37,8 +37,16 @@ Samples samplesOfCan(int count, std::uint64_t seed) {
   return noisySamples(patchOf(kCan, count, -0.05, 0.05, random), 0.0, random);
 }
 
+std::vector<SurfacePoint> pointsOfCan() {
+  Random random(55);
+  return patchOf(kCan, 100, -0.05, 0.05, random);
+}
+
 Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
-  return refineOnPoints(shape, points, kNoiseModel, {params, 0.4});
+  FitPoints fit_points;
+  const std::vector<std::uint32_t> all = test::allOf(points);
+  fit_points.gather({points, all});
+  return refineOnPoints(shape, fit_points, {params, 0.4});
 }
 
 TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {
@@ -126,15 +134,29 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   EXPECT_NEAR(mean, 4500.0, 50.0);
 }
 
-TEST(SamplesAt, AreThePointsOfTheCloudWithTheNoiseOfTheirDepth) {
-  const Cloud cloud = test::cloudOf({{Vec3(0, 0, 1), Vec3(0, 0, -1)}, {Vec3(1, 2, 3), Vec3(0, 0, -1)}});
-  const NoiseModel camera = {0.0, 0.01, 0.5};
-  const Samples samples = samplesAt(cloud, {1, 0}, camera);
-  ASSERT_EQ(samples.size(), 2u);
-  EXPECT_EQ(samples.point(0), Vec3(1, 2, 3));
-  EXPECT_EQ(samples.index[0], 1u);
-  EXPECT_FLOAT_EQ(samples.sigma[0], 0.03f);
-  EXPECT_FLOAT_EQ(samples.sigma[1], 0.01f);
+TEST(FitPoints, OfWhatWasSeenAreThoseOfSamplesThere) {
+  for (const NoiseModel& noise : {kNoiseModel, NoiseModel{0.0, 0.01, 0.5}}) {
+    const Samples samples = samplesWith(noise, pointsOfCan());
+    std::vector<Vec3> places;
+    for (std::size_t k = 0; k < samples.size(); ++k) places.push_back(samples.point(k));
+    const std::vector<std::uint32_t> all = test::allOf(samples);
+    FitPoints expected, found;
+    expected.gather({samples, all});
+    found.gather(places, noise);
+    ASSERT_EQ(found.size(), expected.size());
+    ASSERT_EQ(found.view().count, expected.view().count);
+    EXPECT_NEAR(found.meanSigma(), expected.meanSigma(), 1e-6 * expected.meanSigma());  // float
+    for (std::size_t k = 0; k < found.view().count; ++k) {
+      const float wanted = expected.view().inverse_tolerance[k];
+      if (k >= found.size()) {
+        EXPECT_EQ(found.view().inverse_tolerance[k], wanted);
+        continue;
+      }
+      EXPECT_NEAR(found.view().inverse_tolerance[k], wanted, 1e-5 * wanted);
+      const Vec3 place = found.origin() + Vec3(found.view().x[k], found.view().y[k], found.view().z[k]);
+      EXPECT_LT((place - samples.point(k)).norm(), 1e-7);
+    }
+  }
 }
 
 }  // namespace

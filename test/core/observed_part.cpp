@@ -62,7 +62,7 @@ TEST(ObservedPart, OfAnAxisLiesBetweenItsEnds) {
 
 TEST(ObservedPart, OfASphereIsAllOfIt) {
   const Sphere sphere = {Vec3(0, 0, 1), 0.1};
-  const ObservedPart part(sphere, measureExtent(sphere, {Vec3(0, 0, 0.9)}));
+  const ObservedPart part(sphere, measureExtent(sphere, std::vector<Vec3>{Vec3(0, 0, 0.9)}));
   EXPECT_TRUE(holds(part, Vec3(0, 0, 1.1), 0.0f));
   EXPECT_EQ(part.depth(0, 0, 1.1f), std::numeric_limits<float>::infinity());
 }

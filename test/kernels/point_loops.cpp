@@ -12,22 +12,7 @@
 #include "kernels/loops.h"
 
 namespace primitect::kernels {
-extern const Loops loops_baseline;
-#if defined(__x86_64__)
-extern const Loops loops_avx2, loops_avx512;
-#endif
-
 namespace {
-
-std::vector<const Loops*> tables() {
-  std::vector<const Loops*> found = {&loops_baseline};
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) found.push_back(&loops_avx2);
-  // What is chosen is what the machine can run.
-  if (&loops() == &loops_avx512) found.push_back(&loops_avx512);
-#endif
-  return found;
-}
 
 const std::vector<Shape> kShapes = {Plane{Vec3(0.1, 0, 1), Vec3(0, 0.6, -0.8)}, Sphere{Vec3(0, 0.1, 1), 0.3},
                                     Cylinder{Vec3(0, 0, 1.1), Vec3(0.6, 0, 0.8), 0.2},
@@ -51,7 +36,7 @@ constexpr std::size_t kCounts[] = {1, 15, 16, 31, 64, 200};
 constexpr double kRounding = 1e-6;  // m; float holds 1 m to 1e-7
 
 TEST(Feet, AreDistancesAndNormalsOfTheSurface) {
-  for (const Loops* table : tables()) {
+  for (const Loops* table : allLoops()) {
     for (const Shape& shape : kShapes) {
       for (const std::size_t count : kCounts) {
         const Points p(count);
@@ -69,7 +54,7 @@ TEST(Feet, AreDistancesAndNormalsOfTheSurface) {
 }
 
 TEST(Feet, OnAnAxisOrACentreHaveNoNormal) {
-  for (const Loops* table : tables()) {
+  for (const Loops* table : allLoops()) {
     for (const Shape& shape : {Shape(Sphere{Vec3(0, 0, 1), 0.1}), Shape(Cylinder{Vec3(0, 0, 1), Vec3(0, 1, 0), 0.1}),
                                Shape(Cone{Vec3(0, 0, 1), Vec3(0, 1, 0), 0.3})}) {
       const float x = 0.0f, z = 1.0f;
@@ -83,7 +68,7 @@ TEST(Feet, OnAnAxisOrACentreHaveNoNormal) {
 
 TEST(Balls, HoldTheirPointsAndLeaveOutMissingOnes) {
   constexpr std::size_t kSize = 64;
-  for (const Loops* table : tables()) {
+  for (const Loops* table : allLoops()) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{64}, std::size_t{150}, std::size_t{331}}) {
       Points p(count);
       for (std::size_t i = 0; i < count; i += 5) p.x[i] = p.y[i] = p.z[i] = std::nanf("");
@@ -104,7 +89,7 @@ TEST(Balls, HoldTheirPointsAndLeaveOutMissingOnes) {
 
 TEST(Depths, AreThoseOfTheNearestSide) {
   const std::vector<FlatSide> sides = {{1, 0, 0, -0.2f}, {0, -1, 0, -0.3f}, {0.6f, 0, 0.8f, 0.5f}};
-  for (const Loops* table : tables()) {
+  for (const Loops* table : allLoops()) {
     for (const std::size_t count : kCounts) {
       const Points p(count);
       std::vector<float> depth(count);
@@ -133,7 +118,7 @@ TEST(Around, SumsWhatIsWithinReach) {
     total += weight[i];
   }
   ASSERT_GT(total, 10.0);
-  for (const Loops* table : tables()) {
+  for (const Loops* table : allLoops()) {
     const FlatAround found =
         table->around({0.1f, -0.1f, 1.0f, 0.16f}, p.x.data(), p.y.data(), p.z.data(), weight.data(), kCount);
     EXPECT_LT((Vec3(found.x, found.y, found.z) - sum).norm(), 1e2 * kRounding) << table->name;
@@ -145,7 +130,7 @@ TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
   const Points p(200);
   for (const Shape& shape : kShapes) {
     std::vector<std::vector<float>> results;
-    for (const Loops* table : tables()) {
+    for (const Loops* table : allLoops()) {
       std::vector<float> all(800), ball(16);
       table->feet(flattened(shape, Vec3::Zero()), p.x.data(), p.y.data(), p.z.data(), 200,
                   {&all[0], &all[200], &all[400], &all[600]});
