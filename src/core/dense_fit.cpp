@@ -101,8 +101,7 @@ Shape straightened(const Cone& cone, const Vec3& middle) {
 
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   std::vector<Shape> starts = {shape};
-  // Any point amid the others.
-  const Vec3 middle = points.origin();
+  const Vec3 middle = points.middle();
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
     for (const Shape& cone : tapered(*cylinder, middle)) starts.push_back(cone);
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/point_noise.h"
 
@@ -38,7 +39,7 @@ void FitPoints::gatherWith(const SampleSet& set, const ToleranceOf& tolerance) {
   for (std::vector<float>* values : {&x_, &y_, &z_, &nx_, &ny_, &nz_, &once_}) values->assign(most, 0.0f);
   inverse_tolerance_.assign(most, kNoWeight);
   const std::array<float, 3> origin = meanOf(set);
-  origin_ = Vec3(origin[0], origin[1], origin[2]);
+  origin_ = middle_ = Vec3(origin[0], origin[1], origin[2]);
   size_ = 0;
   double tolerances = 0.0;
   const Samples& s = set.samples;
@@ -67,6 +68,10 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
   size_ = seen.size();
   origin_ = seen.origin;
   x_ = seen.x, y_ = seen.y, z_ = seen.z;
+  const auto mean = [](const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  middle_ = origin_ + Vec3(mean(x_), mean(y_), mean(z_));
   for (std::vector<float>* values : {&nx_, &ny_, &nz_, &once_}) values->clear();
   const kernels::FlatTolerance tolerance = flattened(noise, kInlierDeviations);
   const auto origin = static_cast<float>(origin_.z());

@@ -39,6 +39,7 @@ class FitPoints {
 
   std::size_t size() const { return size_; }
   const Vec3& origin() const { return origin_; }
+  const Vec3& middle() const { return middle_; }    ///< the mean point
   double meanSigma() const { return mean_sigma_; }  ///< m, noise of the distance to a surface
   kernels::FitPoints view() const { return {x_.data(), y_.data(), z_.data(), inverse_tolerance_.data(), x_.size()}; }
   kernels::MomentSums moments() const;
@@ -48,7 +49,7 @@ class FitPoints {
   void gatherWith(const SampleSet& set, const ToleranceOf& tolerance);
 
   std::size_t size_ = 0;
-  Vec3 origin_ = Vec3::Zero();
+  Vec3 origin_ = Vec3::Zero(), middle_ = Vec3::Zero();
   double mean_sigma_ = 0.0;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, inverse_tolerance_;
   std::vector<float> once_;  ///< 1 for each point, 0 for what fills up

@@ -14,28 +14,28 @@ constexpr int kLanes = 8;
 using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Ints = int __attribute__((vector_size(4 * kLanes)));
 
-Floats load(const float* values) { return (Floats)_mm256_loadu_ps(values); }
-void store(Ints lanes, int* values) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(values), (__m256i)lanes); }
-void store(Floats lanes, float* values) { _mm256_storeu_ps(values, (__m256)lanes); }
+inline Floats load(const float* values) { return (Floats)_mm256_loadu_ps(values); }
+inline void store(Ints lanes, int* values) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(values), (__m256i)lanes); }
+inline void store(Floats lanes, float* values) { _mm256_storeu_ps(values, (__m256)lanes); }
 
-Floats squareRoot(Floats v) { return (Floats)_mm256_sqrt_ps((__m256)v); }
-Floats larger(Floats a, Floats b) { return (Floats)_mm256_max_ps((__m256)a, (__m256)b); }
-Floats smaller(Floats a, Floats b) { return (Floats)_mm256_min_ps((__m256)a, (__m256)b); }
-Floats absolute(Floats v) { return (Floats)((Ints)v & 0x7fffffff); }
+inline Floats squareRoot(Floats v) { return (Floats)_mm256_sqrt_ps((__m256)v); }
+inline Floats larger(Floats a, Floats b) { return (Floats)_mm256_max_ps((__m256)a, (__m256)b); }
+inline Floats smaller(Floats a, Floats b) { return (Floats)_mm256_min_ps((__m256)a, (__m256)b); }
+inline Floats absolute(Floats v) { return (Floats)((Ints)v & 0x7fffffff); }
 
 /// A product that is not to be fused with a sum.
-Floats rounded(Floats product) {
+inline Floats rounded(Floats product) {
   __asm__("" : "+x"(product));
   return product;
 }
 
-Ints gather(const int* table, Ints index) { return (Ints)_mm256_i32gather_epi32(table, (__m256i)index, 4); }
+inline Ints gather(const int* table, Ints index) { return (Ints)_mm256_i32gather_epi32(table, (__m256i)index, 4); }
 
-int bitsOf(Ints mask) { return _mm256_movemask_ps((__m256)mask); }
-bool any(Ints mask) { return bitsOf(mask) != 0; }
+inline int bitsOf(Ints mask) { return _mm256_movemask_ps((__m256)mask); }
+inline bool any(Ints mask) { return bitsOf(mask) != 0; }
 
 /// Rows of four, one for each lane.
-void storeRows(const Floats (&columns)[4], float* rows) {
+inline void storeRows(const Floats (&columns)[4], float* rows) {
   const __m256 ab_low = _mm256_unpacklo_ps((__m256)columns[0], (__m256)columns[1]);
   const __m256 ab_high = _mm256_unpackhi_ps((__m256)columns[0], (__m256)columns[1]);
   const __m256 cd_low = _mm256_unpacklo_ps((__m256)columns[2], (__m256)columns[3]);

@@ -15,38 +15,38 @@ constexpr int kLanes = 4;
 using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Ints = int __attribute__((vector_size(4 * kLanes)));  // a mask where a comparison gave it: all bits or none
 
-Floats load(const float* values) {
+inline Floats load(const float* values) {
   Floats lanes;
   __builtin_memcpy(&lanes, values, sizeof lanes);
   return lanes;
 }
 
-void store(Ints lanes, int* values) { __builtin_memcpy(values, &lanes, sizeof lanes); }
-void store(Floats lanes, float* values) { __builtin_memcpy(values, &lanes, sizeof lanes); }
+inline void store(Ints lanes, int* values) { __builtin_memcpy(values, &lanes, sizeof lanes); }
+inline void store(Floats lanes, float* values) { __builtin_memcpy(values, &lanes, sizeof lanes); }
 
-Floats squareRoot(Floats v) {
+inline Floats squareRoot(Floats v) {
   for (int k = 0; k < kLanes; ++k) v[k] = __builtin_sqrtf(v[k]);
   return v;
 }
 
 /// The second one where either is NaN.
-Floats larger(Floats a, Floats b) { return a > b ? a : b; }
-Floats smaller(Floats a, Floats b) { return a < b ? a : b; }
+inline Floats larger(Floats a, Floats b) { return a > b ? a : b; }
+inline Floats smaller(Floats a, Floats b) { return a < b ? a : b; }
 
-Floats absolute(Floats v) { return (Floats)((Ints)v & 0x7fffffff); }
+inline Floats absolute(Floats v) { return (Floats)((Ints)v & 0x7fffffff); }
 
 /// A product that is not to be fused with a sum. Nothing is fused in files compiled with the common flags.
-Floats rounded(Floats product) { return product; }
+inline Floats rounded(Floats product) { return product; }
 
-Ints gather(const int* table, Ints index) {
+inline Ints gather(const int* table, Ints index) {
   for (int k = 0; k < kLanes; ++k) index[k] = table[index[k]];
   return index;
 }
 
-bool any(Ints mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+inline bool any(Ints mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
 /// Rows of four, one for each lane.
-void storeRows(const Floats (&columns)[4], float* rows) {
+inline void storeRows(const Floats (&columns)[4], float* rows) {
   for (int k = 0; k < kLanes; ++k)
     store(Floats{columns[0][k], columns[1][k], columns[2][k], columns[3][k]}, rows + 4 * k);
 }

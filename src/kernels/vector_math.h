@@ -11,19 +11,19 @@ constexpr float kTiny = 1e-30f;  // stands in for a zero to divide by
 constexpr float kPi = 3.14159265358979f;
 
 /// asin x for |x| <= 1/2, within 7e-7 rad. Deviations of up to epsilon need no more, which is at most 30 deg.
-Floats smallArcSine(Floats x) {
+inline Floats smallArcSine(Floats x) {
   const Floats x2 = x * x;
   return x + x * x2 * (0.16685562f + x2 * (0.07127701f + x2 * 0.06577032f));
 }
 
 /// sin x for 0 <= x <= 1.3, within 3e-7.
-Floats smallSine(Floats x) {
+inline Floats smallSine(Floats x) {
   const Floats x2 = x * x;
   return x + x * x2 * (-0.16666345f + x2 * (0.00832336f + x2 * -0.00018908f));
 }
 
-/// atan2(y, x) in [0, pi/2] for x and y >= 0, within 2e-6 rad; 0 for (0, 0).
-Floats angleInQuadrant(Floats y, Floats x) {
+/// atan2(y, x) in [0, pi/2] for x and y >= 0, within 2.5e-6 rad; 0 for (0, 0).
+inline Floats angleInQuadrant(Floats y, Floats x) {
   const Ints steep = y > x;
   const Floats ratio = (steep ? x : y) / larger(steep ? y : x, Floats{} + kTiny);
   const Floats r2 = ratio * ratio;
@@ -33,14 +33,14 @@ Floats angleInQuadrant(Floats y, Floats x) {
   return steep ? 0.5f * kPi - angle : angle;
 }
 
-/// atan2(y, x) in [0, pi] for y >= 0, within 2e-6 rad.
-Floats angleInHalfPlane(Floats y, Floats x) {
+/// atan2(y, x) in [0, pi] for y >= 0, within 2.5e-6 rad.
+inline Floats angleInHalfPlane(Floats y, Floats x) {
   const Floats angle = angleInQuadrant(y, absolute(x));
   return x < 0.0f ? kPi - angle : angle;
 }
 
-/// atan2(y, x) in [0, 2 pi], within 2e-6 rad.
-Floats angleInPlane(Floats y, Floats x) {
+/// atan2(y, x) in [0, 2 pi], within 2.5e-6 rad.
+inline Floats angleInPlane(Floats y, Floats x) {
   const Floats angle = angleInHalfPlane(absolute(y), x);
   return y < 0.0f ? 2.0f * kPi - angle : angle;
 }

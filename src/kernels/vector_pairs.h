@@ -1,75 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pairs of a reference vote, kLanes at a time, for a kernel file that has included its lanes. What passes the
-// conditions is packed into lists that stay in the first cache, so that later steps have all lanes full.
+// Which pairs of a reference vote, and for what, kLanes at a time; for a kernel file that has included its lanes.
 #pragma once
 
 #include "kernels/kernels.h"
+#include "kernels/vector_lists.h"
 
 namespace primitect::kernels {
 namespace {
 
-/// Pairs that a list takes before it must be emptied.
-constexpr int kPairs = 128;
-constexpr int kRoom = kPairs + 2 * kLanes;
-
-/// kLanes pairs: eq. 2, and what shapes with an axis need besides.
-struct PairLanes {
-  Floats c1, c2, c3, c4;
-  Floats dx, dy, dz, nx, ny, nz;
-};
-
-/// 0, 1, 2, ...
-Ints laneNumbers() {
-  Ints lanes;
-  for (int k = 0; k < kLanes; ++k) lanes[k] = k;
-  return lanes;
-}
-
-Ints all(bool fact) { return Ints{} - static_cast<int>(fact); }
-
-class PairList {
- public:
-  bool full() const { return count_ > kPairs - kBoxSamples; }
-  int count() const { return count_; }
-
-  void appendFeatures(const PairLanes& pair, const Packing& packing) {
-    const Floats features[] = {pair.c1, pair.c2, pair.c3, pair.c4};
-    for (int k = 0; k < 4; ++k) store(packing.packed(features[k]), values_[k] + count_);
-    count_ += packing.count();
-  }
-  void append(const PairLanes& pair, const Packing& packing) {
-    const Floats rest[] = {pair.dx, pair.dy, pair.dz, pair.nx, pair.ny, pair.nz};
-    for (int k = 0; k < 6; ++k) store(packing.packed(rest[k]), values_[4 + k] + count_);
-    appendFeatures(pair, packing);
-  }
-
-  /// The lanes beyond the last pair become pairs of zeros.
-  void pad() {
-    for (auto& values : values_) store(Floats{}, values + count_);
-  }
-  PairLanes at(int i) const {
-    const auto v = [&](int k) { return load(values_[k] + i); };
-    return {v(0), v(1), v(2), v(3), v(4), v(5), v(6), v(7), v(8), v(9)};
-  }
-  /// The lanes of at(i) that are pairs of the list.
-  Ints valid(int i) const { return laneNumbers() < count_ - i; }
-  void clear() { count_ = 0; }
-
- private:
-  int count_ = 0;
-  alignas(64) float values_[10][kRoom];
-};
+/// Fields of pairs: eq. 2, and what shapes with an axis need besides.
+enum PairField { kC1, kC2, kC3, kC4, kDx, kDy, kDz, kNx, kNy, kNz };
 
 /// Pairs by what they vote for.
 struct SelectedPairs {
-  PairList plane, convex, concave;
+  LaneList<4> plane;
+  LaneList<10> convex, concave;
 
-  bool full() const { return plane.full() || convex.full() || concave.full(); }
+  bool full() const {
+    constexpr int kMost = kEntries - kBoxSamples;
+    return plane.count() > kMost || convex.count() > kMost || concave.count() > kMost;
+  }
 };
-
-/// In the innermost loop, where a call would cost more than the work.
-#define PRIMITECT_INLINE inline __attribute__((always_inline))
 
 /// What the samples are compared with, in all lanes. A copy, which the compiler can keep in registers.
 struct Comparison {
@@ -97,35 +49,30 @@ PRIMITECT_INLINE Floats dot(Floats ax, Floats ay, Floats az, Floats bx, Floats b
   return rounded(ax * bx) + rounded(ay * by) + rounded(az * bz);
 }
 
-template <bool kAppend>
-PRIMITECT_INLINE void append(const PairLanes& pair, Ints mask, PairList& list) {
-  if (kAppend && any(mask)) list.append(pair, Packing(mask));
-}
-
 /// Conditions of algorithm 1 for the pairs with samples i, i + 1, ...
 template <bool kConvex, bool kConcave>
 PRIMITECT_INLINE void select(const Comparison& r, const Samples& s, std::size_t i, SelectedPairs& selected) {
-  PairLanes p;
-  p.dx = load(s.x + i) - r.x;
-  p.dy = load(s.y + i) - r.y;
-  p.dz = load(s.z + i) - r.z;
-  p.nx = load(s.nx + i);
-  p.ny = load(s.ny + i);
-  p.nz = load(s.nz + i);
-  p.c1 = dot(p.dx, p.dy, p.dz, p.dx, p.dy, p.dz);
-  p.c2 = dot(p.dx, p.dy, p.dz, r.nx, r.ny, r.nz);
-  p.c3 = dot(p.dx, p.dy, p.dz, p.nx, p.ny, p.nz);
-  p.c4 = dot(p.nx, p.ny, p.nz, r.nx, r.ny, r.nz);
-  const Ints near = (p.c1 > 0.0f) & (p.c1 <= r.max_distance_sq);
-  const Ints convex = kConvex ? near & (p.c2 <= 0.0f) & (p.c3 >= 0.0f) : Ints{};
-  const Ints concave = kConcave ? near & ~convex & (p.c2 >= 0.0f) & (p.c3 <= 0.0f) : Ints{};
-  const Ints parallel = p.c4 > r.cos_epsilon;
-  const Floats coplanar_sq = r.sin_epsilon_sq * p.c1;
-  const Ints coplanar = (p.c2 * p.c2 < coplanar_sq) & (p.c3 * p.c3 < coplanar_sq);
+  const Floats dx = load(s.x + i) - r.x, dy = load(s.y + i) - r.y, dz = load(s.z + i) - r.z;
+  const Floats nx = load(s.nx + i), ny = load(s.ny + i), nz = load(s.nz + i);
+  const Floats c1 = dot(dx, dy, dz, dx, dy, dz);
+  const Floats c2 = dot(dx, dy, dz, r.nx, r.ny, r.nz);
+  const Floats c3 = dot(dx, dy, dz, nx, ny, nz);
+  const Floats c4 = dot(nx, ny, nz, r.nx, r.ny, r.nz);
+  const Ints near = (c1 > 0.0f) & (c1 <= r.max_distance_sq);
+  const Ints convex = kConvex ? near & (c2 <= 0.0f) & (c3 >= 0.0f) : Ints{};
+  const Ints concave = kConcave ? near & ~convex & (c2 >= 0.0f) & (c3 <= 0.0f) : Ints{};
+  const Ints parallel = c4 > r.cos_epsilon;
+  const Floats coplanar_sq = r.sin_epsilon_sq * c1;
+  const Ints coplanar = (c2 * c2 < coplanar_sq) & (c3 * c3 < coplanar_sq);
   const Ints plane = (((convex | concave) & r.planes) | (near & r.any_plane)) & parallel & coplanar;
-  if (any(plane)) selected.plane.appendFeatures(p, Packing(plane));
-  append<kConvex>(p, convex & ~parallel, selected.convex);
-  append<kConcave>(p, concave & ~parallel, selected.concave);
+  if (any(plane)) selected.plane.append({c1, c2, c3, c4}, Packing(plane));
+  const Ints convex_curved = convex & ~parallel, concave_curved = concave & ~parallel;
+  if (kConvex && any(convex_curved)) {
+    selected.convex.append({c1, c2, c3, c4, dx, dy, dz, nx, ny, nz}, Packing(convex_curved));
+  }
+  if (kConcave && any(concave_curved)) {
+    selected.concave.append({c1, c2, c3, c4, dx, dy, dz, nx, ny, nz}, Packing(concave_curved));
+  }
 }
 
 /// The last samples, fewer than a box holds, with NaN for the missing ones.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "kernels/kernels.h"
+#include "kernels/vector_math.h"
 
 namespace primitect::kernels {
 namespace {
@@ -27,6 +28,11 @@ struct TurnLanes {
   Floats upper_weight;
 };
 
+/// A direction on the ball: rings from the pole, and turns around it, less than 1.
+struct BallPosition {
+  Floats polar, turns;
+};
+
 Ints toInts(Floats v) { return __builtin_convertvector(v, Ints); }
 Floats toFloats(Ints v) { return __builtin_convertvector(v, Floats); }
 Floats clamped(Floats v, float low, float high) { return smaller(larger(v, Floats{} + low), Floats{} + high); }
@@ -39,11 +45,10 @@ LayerLanes layersOf(Floats radius_in_bins, int bins, bool spread) {
   return {lower, spread ? fraction : (fraction > 0.5f ? Floats{} + 1.0f : Floats{})};
 }
 
-/// Of bins that repeat after `period`; the position is in [0, 2 period].
+/// Of bins that repeat after `period`; the position is in [0, 2 period).
 TurnLanes turnOf(Floats position, Ints period) {
   Ints lower = toInts(position);
   const Floats fraction = position - toFloats(lower);
-  lower -= (lower >= period) & period;
   lower -= (lower >= period) & period;
   const Ints upper = lower + 1;
   return {lower, upper - ((upper == period) & period), fraction};
@@ -65,7 +70,7 @@ void strongestOnly(ShareLanes (&shares)[kShares]) {
 /// Rings of an AxisBall in one look-up each: first bin, bins until they repeat, bins of a full turn.
 class RingTable {
  public:
-  explicit RingTable(const AxisBall& ball) : rings_(ball.rings), bins_per_radian_(1.0f / ball.step) {
+  explicit RingTable(const AxisBall& ball) : rings_(ball.rings), rings_per_radian_(1.0f / ball.step) {
     for (int ring = 0; ring <= ball.rings && ring < kMostRings; ++ring) {
       const int size = ring == 0 ? 1 : ball.ring_size[ring];
       const int start = ring == 0 ? 0 : ball.ring_start[ring];
@@ -75,21 +80,27 @@ class RingTable {
     sine_of_sector_ = smallSine(Floats{} + sector_)[0];
   }
 
-  void spread(Floats x, Floats y, Floats z, ShareLanes (&shares)[4]) const {
+  /// Where an axis of any sign and length meets the ball.
+  BallPosition locate(Floats x, Floats y, Floats z) const {
     const Ints flip = z < 0.0f;
     const Floats polar_angle = angleInQuadrant(squareRoot(x * x + y * y), absolute(z));
-    const Floats turns = angleInPlane(flip ? -y : y, flip ? -x : x) * (0.5f / kPi);
-    const Floats position = clamped(polar_angle * bins_per_radian_, 0.0f, static_cast<float>(rings_));
-    const Ints inner = toInts(smaller(position, Floats{} + static_cast<float>(rings_ - 1)));
-    const Floats outer_weight = position - toFloats(inner);
-    spreadOnRing(inner, turns, 1.0f - outer_weight, shares[0], shares[1]);
-    const Floats within = spreadOnRing(inner + 1, turns, outer_weight, shares[2], shares[3]);
+    const Floats angle = angleInPlane(flip ? -y : y, flip ? -x : x);
+    return {clamped(polar_angle * rings_per_radian_, 0.0f, static_cast<float>(rings_)),
+            smaller(angle * (0.5f / kPi), Floats{} + kLessThanOne)};
+  }
+
+  void spread(const BallPosition& position, ShareLanes (&shares)[4]) const {
+    const Ints inner = toInts(smaller(position.polar, Floats{} + static_cast<float>(rings_ - 1)));
+    const Floats outer_weight = position.polar - toFloats(inner);
+    spreadOnRing(inner, position.turns, 1.0f - outer_weight, shares[0], shares[1]);
+    const Floats within = spreadOnRing(inner + 1, position.turns, outer_weight, shares[2], shares[3]);
     const Ints around_pole = inner == 0;
-    if (any(around_pole)) spreadAroundPole(around_pole, position, within, shares);
+    if (any(around_pole)) spreadAroundPole(around_pole, position.polar, within, shares);
   }
 
  private:
-  static constexpr int kMostRings = 64;  // 45 of the smallest bins, 2 deg
+  static constexpr float kLessThanOne = 0.9999999f;  // stays below n when multiplied by n
+  static constexpr int kMostRings = 64;              // 45 of the smallest bins, 2 deg
 
   /// Returns the share of the second of both bins.
   Floats spreadOnRing(Ints ring, Floats turns, Floats weight, ShareLanes& lower, ShareLanes& upper) const {
@@ -114,7 +125,7 @@ class RingTable {
 
   int ring_[kMostRings];
   int rings_;
-  float bins_per_radian_, sector_, sine_of_sector_;
+  float rings_per_radian_, sector_, sine_of_sector_;
 };
 
 }  // namespace

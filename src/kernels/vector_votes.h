@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vote() of scalar.cpp, kLanes pairs at a time: select, weigh, spread, add. For a kernel file that has included its
-// lanes.
+// vote() of scalar.cpp in steps over lists, kLanes at a time: select pairs, find their parameters and weights, spread
+// them over rows, add them to the bins. For a kernel file that has included its lanes.
 //
 // A convex and a concave pair differ in the signs of C2 and C3 only; with their magnitudes, the equations are the same.
 #pragma once
 
 #include "kernels/kernels.h"
+#include "kernels/vector_bins.h"
+#include "kernels/vector_lists.h"
 #include "kernels/vector_math.h"
 #include "kernels/vector_pairs.h"
 #include "kernels/vector_spread.h"
@@ -14,106 +16,11 @@
 namespace primitect::kernels {
 namespace {
 
-/// The votes of two cells, each of them two neighbouring bins.
-using Cells = float __attribute__((vector_size(16)));
-using CellPair = double __attribute__((vector_size(16)));
-
-/// The most votes seen, for each of the four bins of two cells, and where they were seen first.
-class Record {
- public:
-  explicit Record(float most) : most_(Cells{} + most) {}
-
-  void see(Cells votes, int where) {
-    const Places more = votes > most_;
-    most_ = more ? votes : most_;
-    where_ = more ? Places{} + where : where_;
-  }
-
-  /// To the bins, if it beats what they had. `where` is an index of the two cells in the list.
-  void report(const int* cells, Bins& bins) const {
-    int lane = 0;
-    for (int k = 1; k < 4; ++k) {
-      if (most_[k] > most_[lane] || (most_[k] == most_[lane] && where_[k] < where_[lane])) lane = k;
-    }
-    if (!(most_[lane] > bins.most)) return;
-    bins.most = most_[lane];
-    bins.strongest = cells[where_[lane] + lane / 2] + lane % 2;
-  }
-
- private:
-  using Places = int __attribute__((vector_size(16)));
-
-  Cells most_;
-  Places where_ = {};
-};
-
-/// Adds to the bins of two cells, the second one last: they may be the same one if the first addend is 0.
-Cells addTwo(float* bins, const int* cell, Cells addend) {
-  double first, second;
-  __builtin_memcpy(&first, bins + cell[0], sizeof first);
-  __builtin_memcpy(&second, bins + cell[1], sizeof second);
-  const Cells sum = (Cells)CellPair{first, second} + addend;
-  first = ((CellPair)sum)[0];
-  second = ((CellPair)sum)[1];
-  __builtin_memcpy(bins + cell[0], &first, sizeof first);
-  __builtin_memcpy(bins + cell[1], &second, sizeof second);
-  return sum;
-}
-
-/// Votes for kShares rows each, about to be added to the bins; a vote is four cells and four weights, of which the
-/// first kShares count.
-template <int kShares>
-class VoteList {
- public:
-  void append(const ShareLanes (&shares)[kShares], const LayerLanes& layers, int radius_stride,
-              const Packing& packing) {
-    Floats cells[4] = {}, weights[4] = {};
-    for (int k = 0; k < kShares; ++k) {
-      cells[k] = packing.packed((Floats)(shares[k].row * radius_stride + layers.lower));
-      weights[k] = packing.packed(shares[k].weight);
-    }
-    storeRows(cells, reinterpret_cast<float*>(cells_) + 4 * count_);
-    storeRows(weights, weights_ + 4 * count_);
-    store(packing.packed(layers.upper_weight), upper_weights_ + count_);
-    count_ += packing.count();
-  }
-
-  void addTo(Bins& bins) const {
-    Record record(bins.most);
-    Cells total = {};
-    for (int i = 0; i < count_; ++i) {
-      const int* cell = cells_ + 4 * i;
-      Cells weight, upper = Cells{} + upper_weights_[i];
-      __builtin_memcpy(&weight, weights_ + 4 * i, sizeof weight);
-      const Cells share = Cells{1.0f, 0.0f, 1.0f, 0.0f} + upper * Cells{-1.0f, 1.0f, -1.0f, 1.0f};
-      total += weight;
-      record.see(addTwo(bins.votes, cell, Cells{weight[0], weight[0], weight[1], weight[1]} * share), 4 * i);
-      if (kShares < 4) continue;
-      record.see(addTwo(bins.votes, cell + 2, Cells{weight[2], weight[2], weight[3], weight[3]} * share), 4 * i + 2);
-    }
-    bins.total += (total[0] + total[1]) + (total[2] + total[3]);
-    record.report(cells_, bins);
-    int* cells = bins.cells + bins.cell_count;
-    for (int i = 0; i < count_; ++i) {
-      for (int k = 0; k < kShares; ++k) *cells++ = cells_[4 * i + k];
-    }
-    bins.cell_count += static_cast<std::size_t>(count_) * kShares;
-  }
-
- private:
-  int count_ = 0;
-  alignas(64) int cells_[4 * kRoom];
-  alignas(64) float weights_[4 * kRoom];
-  float upper_weights_[kRoom];
-};
-
-/// Weight of a constraint whose deviation has this sine.
-Floats constraintWeight(Floats sine, float epsilon) {
-  return larger(1.0f - absolute(smallArcSine(sine)) * (1.0f / epsilon), Floats{});
-}
-
-/// Of the square of `length`, C1, and its part along a normal: the part across the normal.
-Floats across(Floats length_sq, Floats along) { return squareRoot(larger(length_sq - along * along, Floats{})); }
+/// Fields of votes on their way to the bins. Radius: R or s_r in bins. Position: in steps of rings from the pole, and
+/// in turns or bins around it.
+enum ConeField { kConeRadius, kAxisX, kAxisY, kAxisZ, kPolar = kAxisX, kTurns = kAxisY };
+enum CylinderField { kCylinderRadius, kCylinderWeight, kPhiY, kPhiX };
+enum SphereField { kSphereRadius, kSphereWeight };
 
 /// What all pairs of a reference share.
 struct Ballot {
@@ -123,102 +30,134 @@ struct Ballot {
   RingTable rings;
 };
 
-void votePlanes(PairList& list, const VotingRules& rules, Accumulators& accumulators) {
-  list.pad();
+/// Weight of a constraint whose deviation has this sine.
+Floats constraintWeight(Floats sine, float epsilon) {
+  return larger(1.0f - absolute(smallArcSine(sine)) * (1.0f / epsilon), Floats{});
+}
+
+/// Of the square of a length and its part along a normal: the part across the normal.
+Floats across(Floats length_sq, Floats along) { return squareRoot(larger(length_sq - along * along, Floats{})); }
+
+void votePlanes(LaneList<4>& pairs, const VotingRules& rules, Accumulators& accumulators) {
+  pairs.pad();
   Floats sum = {};
-  for (int i = 0; i < list.count(); i += kLanes) {
-    const PairLanes p = list.at(i);
-    const Floats inverse = 1.0f / squareRoot(p.c1);
+  for (int i = 0; i < pairs.count(); i += kLanes) {
+    const Floats c2 = pairs.at(kC2, i), c3 = pairs.at(kC3, i), c4 = pairs.at(kC4, i);
+    const Floats inverse = 1.0f / squareRoot(pairs.at(kC1, i));
     // cos F4 = 1 - 2 sin^2(F4 / 2), without loss where C4 is nearly 1.
-    const Floats f4 = 2.0f * smallArcSine(squareRoot(larger(0.5f * (1.0f - p.c4), Floats{})));
+    const Floats f4 = 2.0f * smallArcSine(squareRoot(larger(0.5f * (1.0f - c4), Floats{})));
     Floats weight = larger(1.0f - f4 * (1.0f / rules.epsilon), Floats{});
-    weight *= constraintWeight(p.c2 * inverse, rules.epsilon) * constraintWeight(p.c3 * inverse, rules.epsilon);
+    weight *= constraintWeight(c2 * inverse, rules.epsilon) * constraintWeight(c3 * inverse, rules.epsilon);
     if (!rules.spread) weight = Floats{} + 1.0f;
-    sum += list.valid(i) ? weight : Floats{};
+    sum += pairs.valid(i) ? weight : Floats{};
   }
   for (int k = 0; k < kLanes; ++k) accumulators.plane += sum[k];
-  list.clear();
+  pairs.clear();
 }
 
-void voteCones(const Ballot& b, const PairLanes& p, Floats inverse, Ints valid, VoteList<4>& votes) {
+/// Eq. 9 and 10.
+void findCones(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cones) {
   const OrientedPoint& r = b.reference.sample;
-  const Floats along_reference = p.c3 * inverse, along_other = p.c2 * inverse;
-  const Floats distance_in_bins = absolute(along_reference) * b.accumulators.bins_per_meter;
-  const Floats x = p.dx + along_reference * r.normal.x + along_other * p.nx;
-  const Floats y = p.dy + along_reference * r.normal.y + along_other * p.ny;
-  const Floats z = p.dz + along_reference * r.normal.z + along_other * p.nz;
-  const Ints cone =
-      valid & (distance_in_bins < static_cast<float>(b.accumulators.radius_bins)) & (x * x + y * y + z * z > 0.0f);
-  ShareLanes shares[4];
-  b.rings.spread(x, y, z, shares);
-  if (!b.rules.spread) strongestOnly(shares);
-  votes.append(shares, layersOf(distance_in_bins, b.accumulators.radius_bins, b.rules.spread),
-               b.accumulators.radius_stride, Packing(cone));
+  const float bins = static_cast<float>(b.accumulators.radius_bins);
+  for (int i = 0; i < pairs.count(); i += kLanes) {
+    const Floats inverse = 1.0f / (1.0f - pairs.at(kC4, i));
+    const Floats along_reference = pairs.at(kC3, i) * inverse, along_other = pairs.at(kC2, i) * inverse;
+    const Floats radius = absolute(along_reference) * b.accumulators.bins_per_meter;
+    const Floats x = pairs.at(kDx, i) + along_reference * r.normal.x + along_other * pairs.at(kNx, i);
+    const Floats y = pairs.at(kDy, i) + along_reference * r.normal.y + along_other * pairs.at(kNy, i);
+    const Floats z = pairs.at(kDz, i) + along_reference * r.normal.z + along_other * pairs.at(kNz, i);
+    const Ints cone = pairs.valid(i) & (radius < bins) & (x * x + y * y + z * z > 0.0f);
+    cones.append({radius, x, y, z}, Packing(cone));
+  }
 }
 
-/// Rows of phi, as cylinderAngle().
-void cylinderRows(const Ballot& b, const PairLanes& p, Floats weight, ShareLanes (&shares)[2]) {
+void voteCones(const Ballot& b, const LaneList<10>& pairs, Bins& bins) {
+  LaneList<4> cones;
+  VoteList<4> votes;
+  findCones(b, pairs, cones);
+  cones.pad();
+  for (int i = 0; i < cones.count(); i += kLanes) {
+    const BallPosition position = b.rings.locate(cones.at(kAxisX, i), cones.at(kAxisY, i), cones.at(kAxisZ, i));
+    cones.set(kPolar, i, position.polar);
+    cones.set(kTurns, i, position.turns);
+  }
+  for (int i = 0; i < cones.count(); i += kLanes) {
+    ShareLanes shares[4];
+    b.rings.spread({cones.at(kPolar, i), cones.at(kTurns, i)}, shares);
+    if (!b.rules.spread) strongestOnly(shares);
+    const LayerLanes layers = layersOf(cones.at(kConeRadius, i), b.accumulators.radius_bins, b.rules.spread);
+    votes.set(i, shares, layers, b.accumulators.radius_stride);
+  }
+  votes.addTo(bins, cones.count());
+}
+
+/// Cylinders and spheres: the conditions AS and VT and the deviations from them, through sums of angles. With s the
+/// parts of d across the normals, cos F = C / |d| and sin F = s / |d|.
+void findSymmetric(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cylinders, LaneList<2>& spheres) {
   const Vector& t = b.reference.tangent_y;
   const Vector& u = b.reference.tangent_z;
-  const Floats y = p.nx * t.x + p.ny * t.y + p.nz * t.z;
-  const Floats x = -(p.nx * u.x + p.ny * u.y + p.nz * u.z);
-  const Ints flip = y < 0.0f;
-  const float bins_per_radian = static_cast<float>(b.accumulators.phi_bins) / kPi;
-  const Floats position = angleInHalfPlane(flip ? -y : y, flip ? -x : x) * bins_per_radian;
-  const TurnLanes side = turnOf(position, Ints{} + b.accumulators.phi_bins);
-  shares[0] = {side.lower, 1.0f - side.upper_weight};
-  shares[1] = {side.upper, side.upper_weight};
-  if (!b.rules.spread) strongestOnly(shares);
-  for (ShareLanes& share : shares) share.weight *= weight;
-}
-
-/// Cylinders and spheres: the conditions AS and VT and the deviations from them through sums of angles. With s the
-/// parts of d across the normals, cos F = C / |d| and sin F = s / |d|.
-void voteSymmetric(const Ballot& b, const PairLanes& p, Floats inverse, Ints valid, VoteList<2>& cylinders,
-                   VoteList<2>& spheres) {
-  const Accumulators& a = b.accumulators;
-  const Floats c2 = absolute(p.c2), c3 = absolute(p.c3);
-  const Floats s2 = across(p.c1, c2), s3 = across(p.c1, c3), s4 = across(Floats{} + 1.0f, p.c4);
-  const Floats radius_in_bins = 0.5f * (c2 + c3) * inverse * a.bins_per_meter;
-  const Floats smallest_cosine = b.rules.cos_epsilon * p.c1;
-  const Ints symmetric =
-      valid & (s2 * s3 + c2 * c3 > smallest_cosine) & (radius_in_bins < static_cast<float>(a.radius_bins));
-  if (!any(symmetric)) return;
-  const LayerLanes layers = layersOf(radius_in_bins, a.radius_bins, b.rules.spread);
-  const Floats inverse_c1 = 1.0f / larger(p.c1, Floats{} + kTiny);
+  const float bins = static_cast<float>(b.accumulators.radius_bins);
   const Floats one = Floats{} + 1.0f;
-  const Floats symmetry = b.rules.spread ? constraintWeight((s2 * c3 - c2 * s3) * inverse_c1, b.rules.epsilon) : one;
-  if (b.rules.cylinders) {
-    ShareLanes shares[2];
-    cylinderRows(b, p, symmetry, shares);
-    cylinders.append(shares, layers, a.radius_stride, Packing(symmetric));
+  for (int i = 0; i < pairs.count(); i += kLanes) {
+    const Floats c1 = pairs.at(kC1, i), c2 = absolute(pairs.at(kC2, i)), c3 = absolute(pairs.at(kC3, i));
+    const Floats c4 = pairs.at(kC4, i), nx = pairs.at(kNx, i), ny = pairs.at(kNy, i), nz = pairs.at(kNz, i);
+    const Floats s2 = across(c1, c2), s3 = across(c1, c3), s4 = across(one, c4);
+    const Floats radius = 0.5f * b.accumulators.bins_per_meter * (c2 + c3) / (1.0f - c4);
+    const Floats inverse_c1 = 1.0f / larger(c1, Floats{} + kTiny);
+    const Floats smallest_cosine = b.rules.cos_epsilon * c1;
+    const Ints symmetric = pairs.valid(i) & (s2 * s3 + c2 * c3 > smallest_cosine) & (radius < bins);
+    Floats weight = one, triangle_weight = one;
+    if (b.rules.spread) weight = constraintWeight((s2 * c3 - c2 * s3) * inverse_c1, b.rules.epsilon);
+    const Floats y = nx * t.x + ny * t.y + nz * t.z, x = nx * u.x + ny * u.y + nz * u.z;
+    cylinders.append({radius, weight, y, -x}, Packing(symmetric));
+    // |d|^2 times cosine and sine of F2 - F3.
+    const Floats cosine = s2 * s3 - c2 * c3, sine = s2 * c3 + c2 * s3;
+    const Ints triangular = symmetric & (c4 * cosine + s4 * sine > smallest_cosine);
+    if (b.rules.spread) triangle_weight = constraintWeight((c4 * sine - s4 * cosine) * inverse_c1, b.rules.epsilon);
+    spheres.append({radius, weight * triangle_weight}, Packing(triangular));
   }
-  // |d|^2 times cosine and sine of F2 - F3.
-  const Floats cosine = s2 * s3 - c2 * c3, sine = s2 * c3 + c2 * s3;
-  const Ints triangular = symmetric & (p.c4 * cosine + s4 * sine > smallest_cosine);
-  if (!b.rules.spheres || !any(triangular)) return;
-  const Floats triangle =
-      b.rules.spread ? constraintWeight((p.c4 * sine - s4 * cosine) * inverse_c1, b.rules.epsilon) : one;
-  const ShareLanes shares[2] = {{Ints{}, Floats{}}, {Ints{}, symmetry * triangle}};
-  spheres.append(shares, layers, a.radius_stride, Packing(triangular));
 }
 
-void voteCurved(const Ballot& b, PairList& list, CurvedBins& bins) {
-  list.pad();
-  VoteList<4> cones;
-  VoteList<2> cylinders;
-  VoteList<2> spheres;
-  for (int i = 0; i < list.count(); i += kLanes) {
-    const PairLanes p = list.at(i);
-    const Ints valid = list.valid(i);
-    const Floats inverse = 1.0f / (1.0f - p.c4);
-    if (b.rules.cones) voteCones(b, p, inverse, valid, cones);
-    if (b.rules.cylinders || b.rules.spheres) voteSymmetric(b, p, inverse, valid, cylinders, spheres);
+void voteCylinders(const Ballot& b, LaneList<4>& cylinders, Bins& bins) {
+  VoteList<2> votes;
+  const Accumulators& a = b.accumulators;
+  const float bins_per_radian = static_cast<float>(a.phi_bins) / kPi;
+  cylinders.pad();
+  for (int i = 0; i < cylinders.count(); i += kLanes) {
+    const Floats y = cylinders.at(kPhiY, i), x = cylinders.at(kPhiX, i);
+    const Ints flip = y < 0.0f;
+    const Floats position = angleInHalfPlane(flip ? -y : y, flip ? -x : x) * bins_per_radian;
+    const TurnLanes side = turnOf(position, Ints{} + a.phi_bins);
+    ShareLanes shares[2] = {{side.lower, 1.0f - side.upper_weight}, {side.upper, side.upper_weight}};
+    if (!b.rules.spread) strongestOnly(shares);
+    for (ShareLanes& share : shares) share.weight *= cylinders.at(kCylinderWeight, i);
+    votes.set(i, shares, layersOf(cylinders.at(kCylinderRadius, i), a.radius_bins, b.rules.spread), a.radius_stride);
   }
-  cones.addTo(bins.cone);
-  cylinders.addTo(bins.cylinder);
-  spheres.addTo(bins.sphere);
-  list.clear();
+  votes.addTo(bins, cylinders.count());
+}
+
+void voteSpheres(const Ballot& b, LaneList<2>& spheres, Bins& bins) {
+  VoteList<2> votes;
+  const Accumulators& a = b.accumulators;
+  spheres.pad();
+  for (int i = 0; i < spheres.count(); i += kLanes) {
+    const ShareLanes shares[2] = {{Ints{}, Floats{}}, {Ints{}, spheres.at(kSphereWeight, i)}};
+    votes.set(i, shares, layersOf(spheres.at(kSphereRadius, i), a.radius_bins, b.rules.spread), a.radius_stride);
+  }
+  votes.addTo(bins, spheres.count());
+}
+
+void voteCurved(const Ballot& b, LaneList<10>& pairs, CurvedBins& bins) {
+  pairs.pad();
+  if (b.rules.cones) voteCones(b, pairs, bins.cone);
+  if (b.rules.cylinders || b.rules.spheres) {
+    LaneList<4> cylinders;
+    LaneList<2> spheres;
+    findSymmetric(b, pairs, cylinders, spheres);
+    if (b.rules.cylinders) voteCylinders(b, cylinders, bins.cylinder);
+    if (b.rules.spheres) voteSpheres(b, spheres, bins.sphere);
+  }
+  pairs.clear();
 }
 
 /// Empties the lists of selected pairs.

@@ -9,6 +9,7 @@
 
 #include "late_transform.h"
 #include "messages.h"
+#include "primitect/kernel_choice.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -38,6 +39,7 @@ void DetectorNodelet::start() {
   const LoadedParams loaded = loadParams(privateParameters(private_handle));
   NODELET_INFO_STREAM(getName() << ": preset '" << loaded.preset
                                 << "', parameters that differ from it: " << differenceText(loaded));
+  NODELET_INFO_STREAM(getName() << ": voting kernel '" << kernelInUse() << "'");
   pipeline_ = std::make_unique<FramePipeline>(loaded.params);
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
   if (!loaded.params.target_frame.empty()) {

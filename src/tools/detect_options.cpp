@@ -9,6 +9,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "primitect/kernel_choice.h"
+
 namespace primitect::tools {
 namespace {
 
@@ -34,6 +36,7 @@ struct RawOptions {
   std::string intrinsics, depth_scale, preset, params, repeats;
   std::map<std::string, std::string> values;
   bool print_params = false;
+  bool print_kernels = false;
 };
 
 std::string presetList() {
@@ -55,6 +58,10 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
   app.add_option("--repeat", raw.repeats, "detect N times in the same points: min, median, max of every stage")
       ->type_name("N");
   app.add_flag("--print-params", raw.print_params, "print all parameters as a YAML file and end");
+  app.add_flag(
+      "--kernels", raw.print_kernels,
+      "print the voting kernels that this machine can run and the one in use, and end; the environment variable "
+      "PRIMITECT_KERNELS names another one");
 }
 
 void addParamOptions(CLI::App& app, RawOptions& raw) {
@@ -66,6 +73,12 @@ void addParamOptions(CLI::App& app, RawOptions& raw) {
         ->type_name(" ")
         ->group("Parameters: " + info.group);
   }
+}
+
+std::string kernelText() {
+  std::string text = "available:";
+  for (const std::string& name : kernelNames()) text += " " + name;
+  return text + "\nin use: " + kernelInUse() + "\n";
 }
 
 double positiveNumber(const std::string& name, const std::string& text, const std::string& unit) {
@@ -141,6 +154,10 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   takeMainOptions(app, raw, options);
   if (raw.print_params) {
     std::cout << options.params.asYaml();
+    return std::nullopt;
+  }
+  if (raw.print_kernels) {
+    std::cout << kernelText();
     return std::nullopt;
   }
   checkFiles(options);

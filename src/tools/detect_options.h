@@ -20,7 +20,7 @@ struct DetectOptions {
   int repeats = 1;
 };
 
-/// Nothing when all is said (--help, --version, --print-params).
+/// Nothing when all is said (--help, --version, --print-params, --kernels).
 /// Throws std::invalid_argument, one line, for whatever is wrong on the command line.
 std::optional<DetectOptions> parseDetectOptions(int argc, char** argv);
 

@@ -207,11 +207,23 @@ TEST_F(DetectProgram, PrintsParametersThatItTakesBack) {
   EXPECT_EQ(run(ball + " --params " + yaml + " --json -"), 0) << err;
 }
 
+TEST_F(DetectProgram, UsesTheKernelThatTheEnvironmentNames) {
+  setenv("PRIMITECT_KERNELS", "portable", 1);
+  EXPECT_EQ(run("--kernels"), 0);
+  EXPECT_NE(out.find("available: scalar portable"), std::string::npos) << out;
+  EXPECT_NE(out.find("in use: portable\n"), std::string::npos) << out;
+  EXPECT_EQ(run(ball), 0) << err;
+  setenv("PRIMITECT_KERNELS", "sse9", 1);
+  expectUsageError(ball, {"PRIMITECT_KERNELS", "'sse9'", "scalar or portable"});
+  expectUsageError("--kernels", {"'sse9'"});
+  unsetenv("PRIMITECT_KERNELS");
+}
+
 TEST_F(DetectProgram, ExplainsItself) {
   EXPECT_EQ(run("--help"), 0);
   EXPECT_EQ(err, "");
-  for (const char* word :
-       {"FILE", "--json", "--labels", "--picture", "--intrinsics", "--repeat", "--max_depth", "--samples"}) {
+  for (const char* word : {"FILE", "--json", "--labels", "--picture", "--intrinsics", "--repeat", "--max_depth",
+                           "--samples", "--kernels"}) {
     EXPECT_NE(out.find(word), std::string::npos) << word;
   }
   EXPECT_EQ(out.find("target_frame"), std::string::npos);
