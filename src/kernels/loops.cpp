@@ -3,6 +3,9 @@
 // Which of the compiled loops this machine can run: the last of the list is the fastest.
 #include "kernels/loops.h"
 
+#include <cstdlib>
+#include <cstring>
+
 namespace primitect::kernels {
 
 extern const Loops loops_baseline;
@@ -21,8 +24,18 @@ LoopsList allLoops() {
 LoopsList allLoops() { return {{&loops_baseline}, 1}; }
 #endif
 
+/// Those of this name; of a kernel without loops of its own (scalar, portable): what every processor can run.
+static const Loops& loopsNamed(const char* name) {
+  const LoopsList list = allLoops();
+  if (!name || !*name) return *list.end()[-1];
+  for (const Loops* table : list) {
+    if (std::strcmp(table->name, name) == 0) return *table;
+  }
+  return **list.begin();
+}
+
 const Loops& loops() {
-  static const Loops& chosen = *(allLoops().end()[-1]);
+  static const Loops& chosen = loopsNamed(std::getenv("PRIMITECT_KERNELS"));
   return chosen;
 }
 

@@ -43,7 +43,8 @@ Proposed proposed(const Samples& samples, const std::vector<Candidate>& candidat
   SampleGraph graph;
   graph.build(samples);
   Proposed result;
-  proposeHypotheses(samples, graph, candidates, rulesOf(params), result.pool, result.refusals);
+  proposeHypotheses(samples, graph, candidates, rulesOf(params), HeldGains(samples.size(), 0.0f), result.pool,
+                    result.refusals);
   return result;
 }
 
@@ -206,7 +207,7 @@ TEST(Proposal, KeepsTwoParallelDiscsApart) {
   std::vector<Hypothesis> pool;
   Refusals refusals;
   proposeHypotheses(samples, graph, {proposalAt(front, samples, 10), proposalAt(back, samples, 310)},
-                    {coarse, {params, 0.4}, 1.0, 0.3}, pool, refusals);
+                    {coarse, {params, 0.4}, 1.0, 0.3}, HeldGains(samples.size(), 0.0f), pool, refusals);
   const Selection selection = selectHypotheses(samples, pool, 25);
   ASSERT_EQ(selection.chosen.size(), 2u);
   for (const std::uint32_t h : selection.chosen) {

@@ -42,7 +42,10 @@ class Frame {
     if (verification_.samples().size() == 0) verification_.measureNoise(test::samplesOf(points), candidates);
     verification_.addRound(test::samplesOf(points), candidates);
   }
-  void conclude(const std::vector<SurfacePoint>& points) { verification_.conclude(test::samplesOf(points)); }
+  void conclude(const std::vector<SurfacePoint>& points = {}) {
+    verification_.addSamples(test::samplesOf(points));
+    verification_.conclude();
+  }
 
   const Verification& verification() const { return verification_; }
   const std::vector<Segment>& segments() const { return verification_.segments(); }
@@ -144,7 +147,7 @@ TEST(Verification, SplitsPartsThatLieInNearlyTheSamePlane) {
   frame.round(noisy(
       together(plate(Vec3(-0.3, 0, 1.0), 0.1, 0.2, 400, random), plate(Vec3(0.3, 0, 1.008), 0.1, 0.2, 400, random)),
       random));
-  frame.conclude({});
+  frame.conclude();
   ASSERT_EQ(frame.of(Kind::plane).size(), 2u);
   ASSERT_EQ(frame.segments().size(), 2u);
   for (const Segment* segment : frame.of(Kind::plane)) {
@@ -162,7 +165,7 @@ TEST(Verification, KeepsPartsOfOnePlaneTogether) {
   frame.round(
       noisy(together(plate(Vec3(-0.3, 0, 1.0), 0.1, 0.2, 400, random), plate(Vec3(0.3, 0, 1.0), 0.1, 0.2, 400, random)),
             random));
-  frame.conclude({});
+  frame.conclude();
   ASSERT_EQ(frame.segments().size(), 1u);
   EXPECT_GT(frame.segments()[0].inliers.size(), 770u);
 }
@@ -196,7 +199,8 @@ TEST(Verification, FitsThePartsOfAPlaneApartOnceSamplesTellThatThereIsAGap) {
   verification.addRound(test::samplesOf(few), {test::candidate(both, few[0], 9.0)});
   ASSERT_EQ(verification.segments().size(), 1u);
   EXPECT_GT(verification.segments()[0].inliers.size(), 50u);
-  verification.conclude(test::samplesOf(many));
+  verification.addSamples(test::samplesOf(many));
+  verification.conclude();
   ASSERT_EQ(verification.segments().size(), 2u);
   for (const Segment& segment : verification.segments()) {
     const Plane& plane = std::get<Plane>(segment.candidate.shape);
@@ -218,7 +222,7 @@ TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   verification.begin({0.5, false});
   verification.measureNoise(test::samplesOf(points), candidates);
   verification.addRound(test::samplesOf(points), candidates);
-  verification.conclude({});
+  verification.conclude();
   ASSERT_EQ(verification.segments().size(), 2u);
   for (const Segment& segment : verification.segments()) {
     EXPECT_EQ(kindOf(segment.candidate.shape), Kind::plane);
@@ -237,7 +241,7 @@ TEST(Verification, FindsBothSidesOfTheWallOfACup) {
     params.convexity = convexity;
     Frame frame(params, 0.3);
     frame.round(points);
-    frame.conclude({});
+    frame.conclude();
     std::size_t convex = 0, concave = 0;
     for (const Segment* segment : frame.of(Kind::cylinder)) {
       ++(segment->candidate.concave ? concave : convex);
@@ -256,7 +260,7 @@ TEST(Conclusion, RefusesAndCountsWhatIsUnlikely) {
   params.min_confidence = 0.0;
   Frame all(params);
   all.round(points);
-  all.conclude({});
+  all.conclude();
   ASSERT_EQ(all.segments().size(), 3u);
   EXPECT_EQ(all.verification().refusals()[Refusal::unlikely], 0u);
   std::vector<double> confidences;
@@ -268,7 +272,7 @@ TEST(Conclusion, RefusesAndCountsWhatIsUnlikely) {
   Frame bounded(params);
   bounded.round(points);
   EXPECT_EQ(bounded.segments().size(), 3u);  // not before the end
-  bounded.conclude({});
+  bounded.conclude();
   EXPECT_EQ(bounded.segments().size(), 2u);
   EXPECT_GE(bounded.verification().refusals()[Refusal::unlikely], 1u);
   for (const Segment& segment : bounded.segments()) EXPECT_GE(segment.confidence, params.min_confidence);
@@ -293,7 +297,7 @@ TEST(Confidence, OfRightShapesIsHigherThanOfAnyOnASaddle) {
   params.min_confidence = 0.0;
   Frame right(params);
   right.round(wallBallAndCan(300, random));
-  right.conclude({});
+  right.conclude();
   double least = 1.0;
   for (const Segment& segment : right.segments()) least = std::min(least, segment.confidence);
   EXPECT_GT(least, 0.9);
@@ -305,7 +309,7 @@ TEST(Confidence, OfRightShapesIsHigherThanOfAnyOnASaddle) {
   }
   Frame wrong(params, 0.5);
   wrong.round(noisy(saddle, random));
-  wrong.conclude({});
+  wrong.conclude();
   ASSERT_FALSE(wrong.segments().empty());
   for (const Segment& segment : wrong.segments()) {
     EXPECT_LT(segment.confidence, least) << kindName(kindOf(segment.candidate.shape));

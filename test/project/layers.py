@@ -20,8 +20,9 @@ LAYERS = {  # folder -> layers that it may include
     "src/ros": {"ros", "io", "synthetic", "core"},
     "include/primitect": set(),
 }
-KERNEL_HEADERS = re.compile(r"immintrin\.h|arm_neon\.h|cstddef|cstdint|cmath|kernels/\w+\.h")
-DISPATCH_HEADERS = {"cstdlib", "stdexcept", "string"}  # of the one file in src/kernels that is not a kernel
+KERNEL_HEADERS = re.compile(r"immintrin\.h|arm_neon\.h|cstddef|cstdint|cmath|kernels/\w+\.(h|inc)")
+DISPATCH_HEADERS = {"cstdlib", "cstring", "stdexcept", "string"}  # of the files in src/kernels that are no kernels
+DISPATCH_FILES = ("dispatch.cpp", "loops.cpp")
 FLAGS = re.compile(r"-march=native|-ffast-math")
 
 
@@ -44,7 +45,7 @@ def faults_of(folder, path):
                 yield where + ": not a layer below"
         if header in {"immintrin.h", "arm_neon.h"} and folder != "src/kernels":
             yield where + ": intrinsics outside of src/kernels"
-        allowed = KERNEL_HEADERS.fullmatch(header) or (header in DISPATCH_HEADERS and path.endswith("dispatch.cpp"))
+        allowed = KERNEL_HEADERS.fullmatch(header) or (header in DISPATCH_HEADERS and path.endswith(DISPATCH_FILES))
         if folder == "src/kernels" and not allowed:
             yield where + ": kernels include the least"
 
@@ -54,7 +55,7 @@ def check(root):
     os.chdir(root)
     for folder in LAYERS:
         for name in sorted(os.listdir(folder)):
-            if name.endswith((".h", ".cpp", ".def")):
+            if name.endswith((".h", ".cpp", ".def", ".inc")):
                 files += 1
                 faults += faults_of(folder, os.path.join(folder, name))
     for folder, _, names in os.walk("."):
