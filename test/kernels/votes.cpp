@@ -17,7 +17,7 @@ using test::SurfacePoint;
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Votes for one kind of curved shape: rows of 40 bins of R or s_r, and one that stays empty.
+/// Votes for one kind of curved shape: rows of 40 bins of R or s_r, and some that stay empty.
 struct KindVotes {
   std::vector<float> votes;
   std::vector<int> cells;
@@ -29,7 +29,7 @@ struct KindVotes {
   }
   bool operator==(const KindVotes& other) const { return votes == other.votes; }
 
-  static constexpr int kStride = 41;
+  static constexpr int kStride = 48;
 };
 
 /// Votes for curved surfaces seen from one side.
