@@ -19,15 +19,6 @@ std::optional<int> strongestBin(const kernels::Bins& bins, double beaten) {
   return bins.strongest;
 }
 
-void clearCells(kernels::Bins& bins) {
-  for (std::size_t k = 0; k < bins.cell_count; ++k) {
-    bins.votes[bins.cells[k]] = 0.0f;
-    bins.votes[bins.cells[k] + 1] = 0.0f;
-  }
-  bins.cell_count = 0;
-  bins.total = bins.most = 0.0f;
-}
-
 }  // namespace
 
 bool votes(Side side, const Params& params) {
@@ -46,20 +37,18 @@ Accumulators::Accumulators(const Params& params)
   for (const Side side : kSides) {
     if (!votes(side, params)) continue;
     CurvedMemory& memory = side == Side::convex ? convex_ : concave_;
-    memory.sphere.votes.resize(row);
-    memory.cylinder.votes.resize(row * bins_.phi_bins);
-    memory.cone.votes.resize(row * ball_.binCount());
+    memory.sphere.resize(row);
+    memory.cylinder.resize(row * bins_.phi_bins);
+    memory.cone.resize(row * ball_.binCount());
   }
 }
 
-kernels::Bins Accumulators::binsIn(Memory& memory, std::size_t cells) {
-  if (memory.cells.size() < cells) memory.cells.resize(cells);
-  return {memory.votes.data(), memory.cells.data(), 0, 0.0f, 0.0f, 0};
-}
-
 kernels::CurvedBins Accumulators::binsIn(CurvedMemory& memory, std::size_t samples) {
-  if (memory.sphere.votes.empty()) return {};
-  return {binsIn(memory.sphere, 2 * samples), binsIn(memory.cylinder, 2 * samples), binsIn(memory.cone, 4 * samples)};
+  if (memory.cone.empty()) return {};
+  if (memory.cone_cells.size() < 4 * samples) memory.cone_cells.resize(4 * samples);
+  return {{memory.sphere.data(), nullptr, 0, 0.0f, 0.0f, 0},
+          {memory.cylinder.data(), nullptr, 0, 0.0f, 0.0f, 0},
+          {memory.cone.data(), memory.cone_cells.data(), 0, 0.0f, 0.0f, 0}};
 }
 
 void Accumulators::prepare(double radius_bin, std::size_t samples) {
@@ -70,11 +59,21 @@ void Accumulators::prepare(double radius_bin, std::size_t samples) {
   bins_.concave = binsIn(concave_, samples);
 }
 
+void Accumulators::clear(kernels::CurvedBins& bins, CurvedMemory& memory) {
+  if (bins.sphere.most > 0.0f) std::fill(memory.sphere.begin(), memory.sphere.end(), 0.0f);
+  if (bins.cylinder.most > 0.0f) std::fill(memory.cylinder.begin(), memory.cylinder.end(), 0.0f);
+  for (std::size_t k = 0; k < bins.cone.cell_count; ++k) {
+    float* cell = bins.cone.votes + bins.cone.cells[k];
+    cell[0] = cell[1] = 0.0f;
+  }
+  bins.cone.cell_count = 0;
+  for (kernels::Bins* kind : {&bins.sphere, &bins.cylinder, &bins.cone}) kind->total = kind->most = 0.0f;
+}
+
 void Accumulators::clear() {
   bins_.plane = 0.0f;
-  for (kernels::CurvedBins* side : {&bins_.convex, &bins_.concave}) {
-    for (kernels::Bins* kind : {&side->sphere, &side->cylinder, &side->cone}) clearCells(*kind);
-  }
+  clear(bins_.convex, convex_);
+  clear(bins_.concave, concave_);
 }
 
 std::optional<Peak> Accumulators::planePeak() const {

@@ -29,7 +29,7 @@ constexpr Side kSides[] = {Side::convex, Side::concave};
 bool votes(Side side, const Params& params);
 
 /// Bins of all four kinds (paper, table I and sec. "Choice of parameters"), of the curved ones for each side that
-/// votes. A reference votes for few of the many bins: only these are searched and cleared.
+/// votes.
 class Accumulators {
  public:
   explicit Accumulators(const Params& params);
@@ -51,18 +51,15 @@ class Accumulators {
   std::optional<Peak> conePeak(Side side, double beaten = 0.0) const;
 
  private:
-  struct Memory {
-    std::vector<float> votes;
-    std::vector<int> cells;
-  };
   /// Empty where the side does not vote.
   struct CurvedMemory {
-    Memory sphere, cylinder, cone;
+    std::vector<float> sphere, cylinder, cone;
+    std::vector<int> cone_cells;  ///< of the many bins of cones a reference votes for few: only these are cleared
   };
 
   /// Bins in this memory, which then has room for the cells of a reference's votes.
-  static kernels::Bins binsIn(Memory& memory, std::size_t cells);
   static kernels::CurvedBins binsIn(CurvedMemory& memory, std::size_t samples);
+  static void clear(kernels::CurvedBins& bins, CurvedMemory& memory);
 
   const kernels::CurvedBins& of(Side side) const { return side == Side::convex ? bins_.convex : bins_.concave; }
   double binRadius(int bin) const { return (bin + 0.5) * radius_bin_; }

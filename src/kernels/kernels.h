@@ -30,6 +30,9 @@ struct Reference {
   Vector tangent_z;
 };
 
+/// Rows of the accumulators are no longer.
+constexpr int kMostRadiusStride = 512;
+
 /// Samples in one of these boxes are so many neighbours in memory; of the last box perhaps fewer.
 constexpr int kBoxSamples = 16;
 
@@ -87,11 +90,11 @@ struct AxisBall {
 /// vote is shared by neighbours in the row; its cell is the first of the two.
 struct Bins {
   float* votes;            ///< all 0 before a reference votes
-  int* cells;              ///< the cells that got votes, some of them repeatedly: what to search and to clear
-  std::size_t cell_count;  ///< 0 before a reference votes; grows with every pair by 2 at most, of cones by 4
+  int* cells;              ///< null, or the cells that got votes, some of them repeatedly: all that is to be cleared
+  std::size_t cell_count;  ///< 0 before a reference votes; grows with every pair by 4 at most
   float total;             ///< sum of all votes
   float most;              ///< the largest number of votes in a bin
-  int strongest;           ///< that bin, the one that reached it first; only if `most` is not 0
+  int strongest;           ///< such a bin; only if `most` is not 0
 };
 
 /// Votes for curved surfaces seen from one side; empty where that side does not vote.
@@ -106,7 +109,7 @@ struct Accumulators {
   float plane;  ///< the same from either side
   CurvedBins convex, concave;
   int radius_bins;       ///< at least 2
-  int radius_stride;     ///< from row to row, more than radius_bins
+  int radius_stride;     ///< from row to row: more than radius_bins, a multiple of 16, at most kMostRadiusStride
   int phi_bins;          ///< over [0, pi)
   float bins_per_meter;  ///< of R and s_r
   AxisBall ball;
@@ -159,7 +162,7 @@ LinearSpread spreadCircular(float value_in_bins, int bins);
 BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis);
 
 /// Algorithm 1 for the pairs of one reference with all samples. A pair seen from inside votes as its flipped one would.
-/// The lists of cells must have room for the votes of all samples.
+/// The lists of cells must have room for the votes of all samples, of a cone 4 cells.
 void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators);
 
 /// One way to do this on one kind of processor. All of them cast the votes of vote() but for rounding: where a pair is

@@ -34,7 +34,7 @@ void add(const Accumulators& layout, int row, const LinearSpread& layers, float 
     bins.most = bins.votes[bin];
     bins.strongest = bin;
   }
-  bins.cells[bins.cell_count++] = row * layout.radius_stride + layers.bin[0];
+  if (bins.cells) bins.cells[bins.cell_count++] = row * layout.radius_stride + layers.bin[0];
   bins.total += weight;
 }
 

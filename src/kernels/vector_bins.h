@@ -20,7 +20,7 @@ using Places = int __attribute__((vector_size(16)));
 /// The most votes seen, for each of the four bins of two cells, and where they were seen first.
 class Record {
  public:
-  explicit Record(float most) : most_(Cells{} + most) {}
+  explicit Record(float most = 0.0f) : most_(Cells{} + most) {}
 
   void see(Cells votes, Places where) {
     const Places more = votes > most_;
@@ -57,57 +57,119 @@ Cells addTwo(float* bins, const int* cell, Cells addend) {
   return sum;
 }
 
-/// Votes for kShares rows each, about to be added to the bins; a vote is four cells and four weights, of which the
-/// first kShares count.
+/// Votes for kShares rows each, about to be added to the bins: cells, and what is added to the two bins of each.
 template <int kShares>
-class VoteList {
- public:
+struct VoteList {
+  int count = 0;
+  alignas(64) int cells[4 * kRoom];
+  alignas(64) float addends[kShares / 2][4 * kRoom];
+
   /// Sets votes i, i + 1, ...
   void set(int i, const ShareLanes (&shares)[kShares], const LayerLanes& layers, int radius_stride) {
-    Floats cells[4] = {}, weights[4] = {};
-    for (int k = 0; k < kShares; ++k) {
-      cells[k] = (Floats)(shares[k].row * radius_stride + layers.lower);
-      weights[k] = shares[k].weight;
+    Floats columns[4] = {};
+    for (int k = 0; k < kShares; ++k) columns[k] = (Floats)(shares[k].row * radius_stride + layers.lower);
+    storeRows(columns, reinterpret_cast<float*>(cells) + 4 * i);
+    for (int k = 0; k < kShares; k += 2) {
+      const Floats first = shares[k].weight * layers.upper_weight, second = shares[k + 1].weight * layers.upper_weight;
+      storeRows({shares[k].weight - first, first, shares[k + 1].weight - second, second}, addends[k / 2] + 4 * i);
     }
-    storeRows(cells, reinterpret_cast<float*>(cells_) + 4 * i);
-    storeRows(weights, weights_ + 4 * i);
-    store(layers.upper_weight, upper_weights_ + i);
+  }
+};
+
+/// Adds the votes of a list, one by one.
+template <int kShares>
+class Addition {
+ public:
+  Addition(const VoteList<kShares>& votes, Bins& bins) : votes_(votes), bins_(bins), all_(bins.votes) {
+    for (Record& record : records_) record = Record(bins.most);
   }
 
-  /// Adds the first `count` votes.
-  void addTo(Bins& bins, int count) const {
-    Record record(bins.most), second_record(bins.most);
-    Cells total = {};
-    Places vote = {};
-    for (int i = 0; i < count; ++i) {
-      const int* cell = cells_ + 4 * i;
-      Cells weight, upper = Cells{} + upper_weights_[i];
-      __builtin_memcpy(&weight, weights_ + 4 * i, sizeof weight);
-      const Cells share = Cells{1.0f, 0.0f, 1.0f, 0.0f} + upper * Cells{-1.0f, 1.0f, -1.0f, 1.0f};
-      total += weight;
-      record.see(addTwo(bins.votes, cell, Cells{weight[0], weight[0], weight[1], weight[1]} * share), vote);
-      if (kShares == 4) {
-        const Cells addend = Cells{weight[2], weight[2], weight[3], weight[3]} * share;
-        second_record.see(addTwo(bins.votes, cell + 2, addend), vote);
-      }
-      vote += 4;
+  PRIMITECT_INLINE void add(int i) {
+    if (i >= votes_.count) return;
+    for (int k = 0; k < kShares / 2; ++k) {
+      Cells addend;
+      __builtin_memcpy(&addend, votes_.addends[k] + 4 * i, sizeof addend);
+      records_[k].see(addTwo(all_, votes_.cells + 4 * i + 2 * k, addend), Places{} + 4 * i);
+      total_ += addend;
     }
-    bins.total += (total[0] + total[1]) + (total[2] + total[3]);
-    record.report(cells_, bins);
-    if (kShares == 4) second_record.report(cells_ + 2, bins);
-    keepCells(bins, count);
+  }
+
+  void finish() {
+    bins_.total += (total_[0] + total_[1]) + (total_[2] + total_[3]);
+    for (int k = 0; k < kShares / 2; ++k) records_[k].report(votes_.cells + 2 * k, bins_);
+    if (!bins_.cells) return;
+    int* cells = bins_.cells + bins_.cell_count;
+    for (int i = 0; i < votes_.count; ++i) {
+      __builtin_memcpy(cells + kShares * i, votes_.cells + 4 * i, kShares * sizeof(int));
+    }
+    bins_.cell_count += static_cast<std::size_t>(kShares) * votes_.count;
   }
 
  private:
-  void keepCells(Bins& bins, int count) const {
-    int* cells = bins.cells + bins.cell_count;
-    for (int i = 0; i < count; ++i) __builtin_memcpy(cells + kShares * i, cells_ + 4 * i, kShares * sizeof(int));
-    bins.cell_count += static_cast<std::size_t>(kShares) * count;
+  const VoteList<kShares>& votes_;
+  Bins& bins_;
+  float* all_;
+  Record records_[kShares / 2];
+  Cells total_ = {};
+};
+
+/// Votes for a single row.
+struct RowVoteList {
+  int count = 0;
+  int cells[kRoom];
+  float lower[kRoom], upper[kRoom];
+
+  void set(int i, Floats weight, const LayerLanes& layers) {
+    const Floats part = weight * layers.upper_weight;
+    store(layers.lower, cells + i);
+    store(weight - part, lower + i);
+    store(part, upper + i);
+  }
+};
+
+/// Adds them. Most of a sphere's votes fall into the same few bins, and each would wait for the sum of the one before:
+/// neighbours in the list, and the two bins of a vote, go to different copies of the row.
+class RowAddition {
+ public:
+  RowAddition(const RowVoteList& votes, Bins& bins, int row_size) : votes_(votes), bins_(bins), row_size_(row_size) {
+    if (votes.count == 0) return;
+    for (auto& copy : copies_) __builtin_memset(copy, 0, static_cast<std::size_t>(row_size) * sizeof(float));
   }
 
-  alignas(64) int cells_[4 * kRoom];
-  alignas(64) float weights_[4 * kRoom];
-  float upper_weights_[kRoom];
+  PRIMITECT_INLINE void add(int i) {
+    if (i >= votes_.count) return;
+    const int copy = i % 2, cell = votes_.cells[i];
+    copies_[copy][cell] += votes_.lower[i];
+    copies_[2 + copy][cell + 1] += votes_.upper[i];
+  }
+
+  void finish() {
+    if (votes_.count == 0) return;
+    Floats most = {}, total = {};
+    Ints strongest = {};
+    for (int k = 0; k < row_size_; k += kLanes) {
+      const Floats sum = load(bins_.votes + k) + ((load(copies_[0] + k) + load(copies_[1] + k)) +
+                                                  (load(copies_[2] + k) + load(copies_[3] + k)));
+      store(sum, bins_.votes + k);
+      total += sum;
+      const Ints more = sum > most;
+      most = more ? sum : most;
+      strongest = more ? laneNumbers() + k : strongest;
+    }
+    bins_.most = bins_.total = 0.0f;
+    for (int k = 0; k < kLanes; ++k) {
+      bins_.total += total[k];
+      if (!(most[k] > bins_.most)) continue;
+      bins_.most = most[k];
+      bins_.strongest = strongest[k];
+    }
+  }
+
+ private:
+  const RowVoteList& votes_;
+  Bins& bins_;
+  int row_size_;
+  float copies_[4][kMostRadiusStride];
 };
 
 }  // namespace

@@ -31,8 +31,8 @@ struct Ballot {
 };
 
 /// Weight of a constraint whose deviation has this sine.
-Floats constraintWeight(Floats sine, float epsilon) {
-  return larger(1.0f - absolute(smallArcSine(sine)) * (1.0f / epsilon), Floats{});
+Floats constraintWeight(Floats sine, float inverse_epsilon) {
+  return larger(1.0f - absolute(smallArcSine(sine)) * inverse_epsilon, Floats{});
 }
 
 /// Of the square of a length and its part along a normal: the part across the normal.
@@ -40,14 +40,15 @@ Floats across(Floats length_sq, Floats along) { return squareRoot(larger(length_
 
 void votePlanes(LaneList<4>& pairs, const VotingRules& rules, Accumulators& accumulators) {
   pairs.pad();
+  const float inverse_epsilon = 1.0f / rules.epsilon;
   Floats sum = {};
   for (int i = 0; i < pairs.count(); i += kLanes) {
     const Floats c2 = pairs.at(kC2, i), c3 = pairs.at(kC3, i), c4 = pairs.at(kC4, i);
     const Floats inverse = 1.0f / squareRoot(pairs.at(kC1, i));
     // cos F4 = 1 - 2 sin^2(F4 / 2), without loss where C4 is nearly 1.
     const Floats f4 = 2.0f * smallArcSine(squareRoot(larger(0.5f * (1.0f - c4), Floats{})));
-    Floats weight = larger(1.0f - f4 * (1.0f / rules.epsilon), Floats{});
-    weight *= constraintWeight(c2 * inverse, rules.epsilon) * constraintWeight(c3 * inverse, rules.epsilon);
+    Floats weight = larger(1.0f - f4 * inverse_epsilon, Floats{});
+    weight *= constraintWeight(c2 * inverse, inverse_epsilon) * constraintWeight(c3 * inverse, inverse_epsilon);
     if (!rules.spread) weight = Floats{} + 1.0f;
     sum += pairs.valid(i) ? weight : Floats{};
   }
@@ -71,9 +72,8 @@ void findCones(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cones) {
   }
 }
 
-void voteCones(const Ballot& b, const LaneList<10>& pairs, Bins& bins) {
+void spreadCones(const Ballot& b, const LaneList<10>& pairs, VoteList<4>& votes) {
   LaneList<4> cones;
-  VoteList<4> votes;
   findCones(b, pairs, cones);
   cones.pad();
   for (int i = 0; i < cones.count(); i += kLanes) {
@@ -88,7 +88,7 @@ void voteCones(const Ballot& b, const LaneList<10>& pairs, Bins& bins) {
     const LayerLanes layers = layersOf(cones.at(kConeRadius, i), b.accumulators.radius_bins, b.rules.spread);
     votes.set(i, shares, layers, b.accumulators.radius_stride);
   }
-  votes.addTo(bins, cones.count());
+  votes.count = cones.count();
 }
 
 /// Cylinders and spheres: the conditions AS and VT and the deviations from them, through sums of angles. With s the
@@ -97,29 +97,29 @@ void findSymmetric(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cyli
   const Vector& t = b.reference.tangent_y;
   const Vector& u = b.reference.tangent_z;
   const float bins = static_cast<float>(b.accumulators.radius_bins);
+  const float inverse_epsilon = 1.0f / b.rules.epsilon, half_bins_per_meter = 0.5f * b.accumulators.bins_per_meter;
   const Floats one = Floats{} + 1.0f;
   for (int i = 0; i < pairs.count(); i += kLanes) {
     const Floats c1 = pairs.at(kC1, i), c2 = absolute(pairs.at(kC2, i)), c3 = absolute(pairs.at(kC3, i));
     const Floats c4 = pairs.at(kC4, i), nx = pairs.at(kNx, i), ny = pairs.at(kNy, i), nz = pairs.at(kNz, i);
     const Floats s2 = across(c1, c2), s3 = across(c1, c3), s4 = across(one, c4);
-    const Floats radius = 0.5f * b.accumulators.bins_per_meter * (c2 + c3) / (1.0f - c4);
+    const Floats radius = half_bins_per_meter * (c2 + c3) / (1.0f - c4);
     const Floats inverse_c1 = 1.0f / larger(c1, Floats{} + kTiny);
     const Floats smallest_cosine = b.rules.cos_epsilon * c1;
     const Ints symmetric = pairs.valid(i) & (s2 * s3 + c2 * c3 > smallest_cosine) & (radius < bins);
     Floats weight = one, triangle_weight = one;
-    if (b.rules.spread) weight = constraintWeight((s2 * c3 - c2 * s3) * inverse_c1, b.rules.epsilon);
+    if (b.rules.spread) weight = constraintWeight((s2 * c3 - c2 * s3) * inverse_c1, inverse_epsilon);
     const Floats y = nx * t.x + ny * t.y + nz * t.z, x = nx * u.x + ny * u.y + nz * u.z;
     cylinders.append({radius, weight, y, -x}, Packing(symmetric));
     // |d|^2 times cosine and sine of F2 - F3.
     const Floats cosine = s2 * s3 - c2 * c3, sine = s2 * c3 + c2 * s3;
     const Ints triangular = symmetric & (c4 * cosine + s4 * sine > smallest_cosine);
-    if (b.rules.spread) triangle_weight = constraintWeight((c4 * sine - s4 * cosine) * inverse_c1, b.rules.epsilon);
+    if (b.rules.spread) triangle_weight = constraintWeight((c4 * sine - s4 * cosine) * inverse_c1, inverse_epsilon);
     spheres.append({radius, weight * triangle_weight}, Packing(triangular));
   }
 }
 
-void voteCylinders(const Ballot& b, LaneList<4>& cylinders, Bins& bins) {
-  VoteList<2> votes;
+void spreadCylinders(const Ballot& b, LaneList<4>& cylinders, VoteList<2>& votes) {
   const Accumulators& a = b.accumulators;
   const float bins_per_radian = static_cast<float>(a.phi_bins) / kPi;
   cylinders.pad();
@@ -133,30 +133,48 @@ void voteCylinders(const Ballot& b, LaneList<4>& cylinders, Bins& bins) {
     for (ShareLanes& share : shares) share.weight *= cylinders.at(kCylinderWeight, i);
     votes.set(i, shares, layersOf(cylinders.at(kCylinderRadius, i), a.radius_bins, b.rules.spread), a.radius_stride);
   }
-  votes.addTo(bins, cylinders.count());
+  votes.count = cylinders.count();
 }
 
-void voteSpheres(const Ballot& b, LaneList<2>& spheres, Bins& bins) {
-  VoteList<2> votes;
+void spreadSpheres(const Ballot& b, LaneList<2>& spheres, RowVoteList& votes) {
   const Accumulators& a = b.accumulators;
   spheres.pad();
   for (int i = 0; i < spheres.count(); i += kLanes) {
-    const ShareLanes shares[2] = {{Ints{}, Floats{}}, {Ints{}, spheres.at(kSphereWeight, i)}};
-    votes.set(i, shares, layersOf(spheres.at(kSphereRadius, i), a.radius_bins, b.rules.spread), a.radius_stride);
+    votes.set(i, spheres.at(kSphereWeight, i), layersOf(spheres.at(kSphereRadius, i), a.radius_bins, b.rules.spread));
   }
-  votes.addTo(bins, spheres.count());
+  votes.count = spheres.count();
+}
+
+/// A vote waits for the one before that went to the same bin. Votes for other kinds, in between, need not.
+void addTogether(const VoteList<4>& cone_votes, const VoteList<2>& cylinder_votes, const RowVoteList& sphere_votes,
+                 int radius_stride, CurvedBins& bins) {
+  Addition<4> cones(cone_votes, bins.cone);
+  Addition<2> cylinders(cylinder_votes, bins.cylinder);
+  RowAddition spheres(sphere_votes, bins.sphere, radius_stride);
+  for (int i = 0; i < cone_votes.count || i < cylinder_votes.count || i < sphere_votes.count; ++i) {
+    cones.add(i);
+    cylinders.add(i);
+    spheres.add(i);
+  }
+  cones.finish();
+  cylinders.finish();
+  spheres.finish();
 }
 
 void voteCurved(const Ballot& b, LaneList<10>& pairs, CurvedBins& bins) {
+  VoteList<4> cone_votes;
+  VoteList<2> cylinder_votes;
+  RowVoteList sphere_votes;
   pairs.pad();
-  if (b.rules.cones) voteCones(b, pairs, bins.cone);
+  if (b.rules.cones) spreadCones(b, pairs, cone_votes);
   if (b.rules.cylinders || b.rules.spheres) {
     LaneList<4> cylinders;
     LaneList<2> spheres;
     findSymmetric(b, pairs, cylinders, spheres);
-    if (b.rules.cylinders) voteCylinders(b, cylinders, bins.cylinder);
-    if (b.rules.spheres) voteSpheres(b, spheres, bins.sphere);
+    if (b.rules.cylinders) spreadCylinders(b, cylinders, cylinder_votes);
+    if (b.rules.spheres) spreadSpheres(b, spheres, sphere_votes);
   }
+  addTogether(cone_votes, cylinder_votes, sphere_votes, b.accumulators.radius_stride, bins);
   pairs.clear();
 }
 

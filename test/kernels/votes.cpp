@@ -16,7 +16,7 @@ using test::kDegree;
 using test::pointOn;
 using test::SurfacePoint;
 
-/// Votes for one kind of curved shape: rows of 40 bins of R or s_r, and one that stays empty.
+/// Votes for one kind of curved shape: rows of 40 bins of R or s_r, and some that stay empty.
 struct KindVotes {
   std::vector<float> votes;
   std::vector<int> cells;
@@ -28,7 +28,7 @@ struct KindVotes {
   }
   bool operator==(const KindVotes& other) const { return votes == other.votes; }
 
-  static constexpr int kStride = 41;
+  static constexpr int kStride = 48;
 };
 
 /// Votes for curved surfaces seen from one side.
