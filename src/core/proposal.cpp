@@ -46,7 +46,7 @@ bool grow(const Samples& samples, const HeldGains& held, const ProposalRules& ru
 void proposeHypotheses(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
                        const ProposalRules& rules, HeldGains held, std::vector<Hypothesis>& pool, Refusals& refusals) {
   constexpr float kWell = 0.4f;
-  constexpr int kTries = 3;  // what so many stronger candidates could not explain, a weaker one will not
+  constexpr int kTries = 2;  // what so many stronger candidates could not explain, a weaker one will not
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   std::vector<int> failures(samples.size(), 0);
   std::vector<std::uint32_t> set, part;

@@ -56,6 +56,7 @@ ProposalRules Verification::rules() const {
 void Verification::append(Samples samples) {
   applyNoise(noise_, samples);
   samples_.append(samples);
+  refitted_.clear();
   samples_.blocks.append(samples_, samples_.size() - samples.size());
   graph_.build(samples_);
   const HeldGains nothing(samples_.size(), 0.0f);
@@ -172,22 +173,31 @@ void Verification::split(const Segment& segment, const HeldGains& held) {
   }
 }
 
-/// What was selected is fitted again, to its own samples, to all samples near it, and in parts; then it competes with
-/// what it was.
-void Verification::refit(int times) {
+/// Fits the segment again to its own samples, to all samples near it, and in parts.
+void Verification::refit(const Segment& segment, const HeldGains& held) {
   constexpr double kNear = 2.5;  // times the noise: what a slightly wrong shape left behind
+  Hypothesis trial = pool_[segment.hypothesis];
+  if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) join(trial, segment.hypothesis);
+  if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
+  evaluate(samples_, held, kNear, trial);
   std::vector<std::uint32_t> near;
+  inliersOf(trial, near);
+  if (near.size() <= segment.inliers.size() * 21 / 20) return;
+  if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
+}
+
+/// What was selected is fitted again; then it competes with what it was.
+void Verification::refit(int times) {
   for (int time = 0; time < times; ++time) {
     const HeldGains held = heldByChosen();
+    const std::size_t before = pool_.size();
     for (const Segment& segment : segments_) {
-      Hypothesis trial = pool_[segment.hypothesis];
-      if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) join(trial, segment.hypothesis);
-      if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
-      evaluate(samples_, held, kNear, trial);
-      inliersOf(trial, near);
-      if (near.size() <= segment.inliers.size() * 21 / 20) continue;
-      if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
+      // The same samples would give the same shapes.
+      if (std::find(refitted_.begin(), refitted_.end(), segment.inliers) != refitted_.end()) continue;
+      refitted_.push_back(segment.inliers);
+      refit(segment, held);
     }
+    if (pool_.size() == before) return;
     select();
   }
 }

@@ -62,6 +62,7 @@ class Verification {
   void select();
   void dropLikenesses();
   void refit(int times);
+  void refit(const Segment& segment, const HeldGains& held);
   void join(const Hypothesis& version, std::uint32_t origin);
   void split(const Segment& segment, const HeldGains& held);
   void assess();
@@ -76,6 +77,7 @@ class Verification {
   std::vector<Hypothesis> pool_;
   Selection selection_;
   std::vector<Segment> segments_;
+  std::vector<std::vector<std::uint32_t>> refitted_;  ///< inliers that were fitted again, of these samples
   Refusals refusals_;
 };
 
