@@ -11,6 +11,7 @@
 
 #include "eval/case_score.h"
 #include "eval/methods.h"
+#include "eval/tabletop_frames.h"
 
 namespace {
 
@@ -213,6 +214,30 @@ TEST(SmallScenes, AskForWhatOwnsThreeInAThousand) {
     }
   }
   EXPECT_GT(optional, 0);
+}
+
+TEST(TabletopFrames, DoNotDemandTheRimOfABox) {
+  // Frame 2004 shows the rim of an open box: more than 1500 pixels, nowhere five of them wide.
+  const LabelledCloud frame = makeLabelledCloud(recipeOf("tabletop", 2004));
+  const int width = static_cast<int>(frame.cloud.width);
+  std::vector<int> pixels(frame.truth.size(), 0), wide(frame.truth.size(), 0);
+  for (int i = 2 * width + 2; i < static_cast<int>(frame.surface.size()) - 2 * width - 2; ++i) {
+    const int t = frame.surface[i];
+    if (t < 0) continue;
+    ++pixels[t];
+    bool surrounded = true;
+    for (const int step : {-2 * width, -width, -2, -1, 1, 2, width, 2 * width})
+      surrounded = surrounded && frame.surface[i + step] == t;
+    wide[t] += surrounded ? 1 : 0;
+  }
+  int rims = 0;
+  for (std::size_t t = 0; t < frame.truth.size(); ++t) {
+    if (pixels[t] < static_cast<int>(kLeastPixels) || frame.truth[t].concave) continue;
+    rims += 4 * wide[t] < pixels[t] ? 1 : 0;
+    if (4 * wide[t] < pixels[t]) EXPECT_FALSE(frame.truth[t].must) << t;
+    if (2 * wide[t] > pixels[t]) EXPECT_TRUE(frame.truth[t].must) << t;
+  }
+  EXPECT_GE(rims, 1);
 }
 
 TEST(TabletopFrames, KnowWhatIsNoneOfTheKinds) {

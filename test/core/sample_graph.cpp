@@ -156,5 +156,15 @@ TEST(Connected, BeginsAtNeighborsOfAStartOutsideOfTheSet) {
   EXPECT_TRUE(partOf(samples, range(120, 200), 55).empty());
 }
 
+TEST(LargeParts, LeaveOutWhatIsTooSmallTogether) {
+  // Seven columns, a gap, two columns: seventy samples and twenty.
+  const Samples samples = columnsWith(9, 7, 0.1);
+  SampleGraph graph;
+  graph.build(samples);
+  EXPECT_EQ(graph.largeParts(range(0, 90), 21), range(0, 70));
+  EXPECT_EQ(graph.largeParts(range(0, 90), 20), range(0, 90));
+  EXPECT_TRUE(graph.largeParts({}, 1).empty());
+}
+
 }  // namespace
 }  // namespace primitect

@@ -9,6 +9,7 @@
 #include "core/accumulators.h"
 #include "core/sample_boxes.h"
 #include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect {
 namespace {

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of a plane's samples by touch and by height.
+#include "core/plane_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+using test::SurfacePoint;
+
+constexpr std::size_t kLeast = 25;
+
+/// Two squares of 10 cm that face the sensor, beside each other with a gap of 2 cm, the second farther by `step` (m).
+Samples twoTops(int count_each, double step, Random& random) {
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count_each; ++i)
+    points.push_back({Vec3(random.uniform(-0.11, -0.01), random.uniform(-0.05, 0.05), 1.0), -Vec3::UnitZ()});
+  for (int i = 0; i < count_each; ++i)
+    points.push_back({Vec3(random.uniform(0.01, 0.11), random.uniform(-0.05, 0.05), 1.0 + step), -Vec3::UnitZ()});
+  return test::samplesOf(points);
+}
+
+/// Through the middles of both tops.
+Plane leaningOver(double step) {
+  const double tilt = std::atan2(step, 0.12);
+  return {Vec3(0, 0, 1.0 + 0.5 * step), Vec3(std::sin(tilt), 0, -std::cos(tilt))};
+}
+
+TEST(StepParts, ArePartsAtTheTwoHeightsThatAPlaneLeansOver) {
+  Random random(71);
+  const Samples samples = twoTops(60, 0.01, random);
+  const SampleParts parts = stepParts(samples, leaningOver(0.01), test::allOf(samples), kLeast);
+  ASSERT_EQ(parts.size(), 2u);
+  // Along the mean normal, towards the sensor, the farther top is the lower one.
+  for (const std::uint32_t i : parts[0]) EXPECT_GE(i, 60u);
+  for (const std::uint32_t i : parts[1]) EXPECT_LT(i, 60u);
+  EXPECT_EQ(parts[0].size() + parts[1].size(), samples.size());
+}
+
+TEST(StepParts, AreNoneWhereThePlaneLiesAsItsSamplesDo) {
+  Random random(72);
+  const Samples samples = twoTops(60, 0.01, random);
+  const Plane between = {Vec3(0, 0, 1.005), -Vec3::UnitZ()};
+  EXPECT_TRUE(stepParts(samples, between, test::allOf(samples), kLeast).empty());
+}
+
+TEST(StepParts, AreNoneWhereTwoWouldBeTooSmall) {
+  Random random(73);
+  const Samples samples = twoTops(24, 0.01, random);
+  EXPECT_TRUE(stepParts(samples, leaningOver(0.01), test::allOf(samples), kLeast).empty());
+}
+
+TEST(SeparateParts, AreThoseThatDoNotTouch) {
+  Random random(74);
+  // 400 samples on 100 cm^2 are 5 mm apart: the gap is four times as wide.
+  const Samples samples = twoTops(400, 0.0, random);
+  SampleGraph graph;
+  graph.build(samples);
+  const SampleParts parts = separateParts(test::allOf(samples), kLeast, graph);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].size(), 400u);
+  EXPECT_EQ(parts[1].front(), 400u);
+}
+
+TEST(SeparateParts, AreNoneWhereAllTouch) {
+  Random random(75);
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  const Samples samples = test::samplesOf(test::patchOf(plane, 500, 0.1, random));
+  SampleGraph graph;
+  graph.build(samples);
+  EXPECT_TRUE(separateParts(test::allOf(samples), kLeast, graph).empty());
+}
+
+}  // namespace
+}  // namespace primitect
