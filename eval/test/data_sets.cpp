@@ -12,6 +12,7 @@
 #include "eval/case_score.h"
 #include "eval/methods.h"
 #include "eval/tabletop_frames.h"
+#include "eval/tabletop_frames.h"
 
 namespace {
 

@@ -8,20 +8,20 @@
 
 namespace primitect::kernels {
 
-extern const Loops loops_baseline;
+extern const Loops kLoopsBaseline;
 #if defined(__x86_64__)
-extern const Loops loops_avx2, loops_avx512;
+extern const Loops kLoopsAvx2, kLoopsAvx512;
 
 LoopsList allLoops() {
-  LoopsList list = {{&loops_baseline}, 1};
-  if (__builtin_cpu_supports("avx2")) list.tables[list.count++] = &loops_avx2;
+  LoopsList list = {{&kLoopsBaseline}, 1};
+  if (__builtin_cpu_supports("avx2")) list.tables[list.count++] = &kLoopsAvx2;
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512bw"))
-    list.tables[list.count++] = &loops_avx512;
+    list.tables[list.count++] = &kLoopsAvx512;
   return list;
 }
 #else
-LoopsList allLoops() { return {{&loops_baseline}, 1}; }
+LoopsList allLoops() { return {{&kLoopsBaseline}, 1}; }
 #endif
 
 /// Those of this name; of a kernel without loops of its own (scalar, portable): what every processor can run.

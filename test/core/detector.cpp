@@ -187,12 +187,13 @@ TEST(Detector, NamesItsStagesInOrderInEachRound) {
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
-  // A ball of 60 points on a table of 20000: too few samples in one round.
+  // A ball of 60 points on a table of 20000: too few samples in one round, when there is no closer look.
   Random random(44);
   std::vector<SurfacePoint> points = patchOf(kTable, 20000, 0.5, random);
   for (const SurfacePoint& p : patchOf(kBall, 60, random)) points.push_back(p);
   const Cloud cloud = test::cloudOf(points);
   Params params;
+  params.closer_samples = 0;
   params.rounds = 1;
   Detector one(params);
   EXPECT_EQ(only<Sphere>(one.detect(cloud)), nullptr);

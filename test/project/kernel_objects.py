@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-COMMON_FLAGS = {"scalar.cpp.o", "dispatch.cpp.o"}
+COMMON_FLAGS = {"scalar.cpp.o", "dispatch.cpp.o", "loops.cpp.o"}
 WEAK = set("WwVvu")
 
 
