@@ -16,4 +16,8 @@ std::vector<std::string> kernelNames();
 /// one of them.
 std::string kernelInUse();
 
+/// The instruction set of the other loops over many points (fits, labels, normals): the widest there is, or the one
+/// that PRIMITECT_KERNELS names. All give the same bits.
+std::string loopsInUse();
+
 }  // namespace primitect

@@ -3,7 +3,6 @@
 // What noise across the distance does to a fit: curved surfaces come out too large, slanted ones tilted.
 #pragma once
 
-
 #include "core/point_noise.h"
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
@@ -22,7 +21,6 @@ enum class NoiseDirection {
 /// in the noise, and matter once thousands of points have averaged the first order away.
 /// sigma(p): m, standard deviation along the ray, or of each axis; its scale is taken from the residuals.
 /// Returns the shape as it is where points or noise do not allow a finite correction.
-Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
-                  NoiseDirection direction);
+Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, NoiseDirection direction);
 
 }  // namespace primitect

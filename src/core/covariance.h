@@ -28,8 +28,8 @@ struct Uncertainty {
 /// determine at most kUnobservable. The scale of the noise is taken from the residuals: sigma(p) (m) need only tell how
 /// the points compare. Points beyond the tolerance do not count. shared_noise: how many points share one deviation, as
 /// neighbours of a depth camera do; 1 = all are independent.
-Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers,
-                          const PointNoise& sigma, double shared_noise = 1.0);
+Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
+                          double shared_noise = 1.0);
 
 /// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
 /// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a

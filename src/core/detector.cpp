@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The pipeline: rounds of sample, normals, vote, cluster, segment, extent.
+// The pipeline: rounds of sample, normals, vote, segment; then a closer look, and measures on the points of the cloud.
 #include "primitect/detector.h"
 
 #include <utility>

@@ -43,7 +43,7 @@ constexpr float kWellExplained = 0.1f;
 /// noise, for a shape that is not fitted yet.
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 
-/// The same on no more than all samples within reach (m) of a point.
+/// The same on the samples within reach (m) of a point, and on others in their blocks.
 void evaluateAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
                     Hypothesis& hypothesis);
 

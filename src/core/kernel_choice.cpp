@@ -4,6 +4,7 @@
 #include "primitect/kernel_choice.h"
 
 #include "kernels/kernels.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 
@@ -15,5 +16,7 @@ std::vector<std::string> kernelNames() {
 }
 
 std::string kernelInUse() { return kernels::chosenKernels().name; }
+
+std::string loopsInUse() { return kernels::loops().name; }
 
 }  // namespace primitect

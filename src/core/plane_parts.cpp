@@ -5,9 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <utility>
 
 namespace primitect {
 namespace {
@@ -46,17 +43,9 @@ std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
 }  // namespace
 
 SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {
-  SampleParts parts;
-  std::vector<std::uint32_t> rest = inliers, part, left;
-  while (rest.size() >= least) {
-    graph.connected(rest, rest.front(), part);
-    if (part.size() == inliers.size()) return {};
-    left.clear();
-    std::set_difference(rest.begin(), rest.end(), part.begin(), part.end(), std::back_inserter(left));
-    rest.swap(left);
-    if (part.size() >= least) parts.push_back(part);
-  }
-  return parts;
+  SampleParts parts = graph.parts(inliers, least);
+  const bool all_touch = parts.size() == 1 && parts.front().size() == inliers.size();
+  return all_touch ? SampleParts() : parts;
 }
 
 SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vector<std::uint32_t>& inliers,

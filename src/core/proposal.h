@@ -16,11 +16,11 @@ namespace primitect {
 void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
             Hypothesis& hypothesis, std::vector<std::uint32_t>& set);
 
-/// Adds a hypothesis for each candidate whose reference is not explained yet, in the order of votes; held: what explains
-/// the samples before.
-/// The samples near the candidate's shape, within reach of its reference, are fitted with all four kinds (moments, then
-/// robust least squares); the kind with the best score wins, takes all samples that it fits, and competes again on
-/// these until it grows no more. Limits hold after every fit.
+/// Adds a hypothesis for each candidate whose reference is not explained yet, in the order of votes; held: what
+/// explains the samples before. The samples near the candidate's shape, within reach of its reference, are fitted with
+/// all four kinds (moments, then robust least squares); the kind with the best score wins, takes all samples that it
+/// fits, and competes again on these until it grows no more. Limits hold after every fit. Where two candidates failed,
+/// no other is tried.
 void proposeHypotheses(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
                        const ProposalRules& rules, HeldGains held, std::vector<Hypothesis>& pool, Refusals& refusals);
 

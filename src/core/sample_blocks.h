@@ -37,7 +37,6 @@ class SampleBlocks {
   /// Calls use(block) for the runs with samples that may be within `widen` times twice their tolerance of the shape.
   template <class Use>
   void forNear(const kernels::FlatShape& shape, float widen, const Use& use) const {
-    constexpr float kReach = 2.0f;
     constexpr std::size_t kAtOnce = 64;
     float distance[kAtOnce];
     for (std::size_t first = 0; first < begin_.size(); first += kAtOnce) {
@@ -47,7 +46,7 @@ class SampleBlocks {
         const float away = distance[k] < 0.0f ? -distance[k] : distance[k];
         const std::size_t block = first + k;
         // Distances to a surface differ by no more than the points are apart.
-        if (away <= radius_[block] + kReach * widen * tolerance_[block])
+        if (away <= radius_[block] + kernels::kGainReach * widen * tolerance_[block])
           use(SampleBlock{block, begin_[block], end_[block]});
       }
     }

@@ -85,16 +85,25 @@ void SampleGraph::connected(const std::vector<std::uint32_t>& set, std::uint32_t
   std::sort(part.begin(), part.end());
 }
 
-std::vector<std::uint32_t> SampleGraph::largeParts(const std::vector<std::uint32_t>& set, std::size_t least) {
-  std::vector<std::uint32_t> large, part;
+std::vector<std::vector<std::uint32_t>> SampleGraph::parts(const std::vector<std::uint32_t>& set, std::size_t least) {
+  std::vector<std::vector<std::uint32_t>> found;
+  std::vector<std::uint32_t> part;
   mark(set);
   for (const std::uint32_t i : set) {
     if (state_[i] != kWaiting) continue;
     state_[i] = kReached;
     part.assign(1, i);
     grow(part);
-    if (part.size() >= least) large.insert(large.end(), part.begin(), part.end());
+    if (part.size() < least) continue;
+    std::sort(part.begin(), part.end());
+    found.push_back(part);
   }
+  return found;
+}
+
+std::vector<std::uint32_t> SampleGraph::largeParts(const std::vector<std::uint32_t>& set, std::size_t least) {
+  std::vector<std::uint32_t> large;
+  for (const std::vector<std::uint32_t>& part : parts(set, least)) large.insert(large.end(), part.begin(), part.end());
   std::sort(large.begin(), large.end());
   return large;
 }

@@ -31,7 +31,10 @@ class SampleGraph {
   /// order. The start need not be in the set; nothing when none of its neighbours is.
   void connected(const std::vector<std::uint32_t>& set, std::uint32_t start, std::vector<std::uint32_t>& part);
 
-  /// Of the set (rising indices), those in connected parts of at least `least`, in rising order.
+  /// The connected parts of the set (rising indices) that have at least `least` samples, each in rising order.
+  std::vector<std::vector<std::uint32_t>> parts(const std::vector<std::uint32_t>& set, std::size_t least);
+
+  /// All of these parts together, in rising order.
   std::vector<std::uint32_t> largeParts(const std::vector<std::uint32_t>& set, std::size_t least);
 
  private:

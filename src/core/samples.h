@@ -21,7 +21,7 @@ struct Samples {
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
   std::vector<float> inverse_tolerance, normal_loss, farthest_turn;
   std::vector<std::uint32_t> index;  ///< of the point in the cloud
-  SampleBlocks blocks;               ///< made by applyNoise(), of these samples alone
+  SampleBlocks blocks;               ///< made by applyNoise(); append() leaves them as they are
 
   std::size_t size() const { return x.size(); }
   void clear() {

@@ -4,7 +4,6 @@
 #include "core/selection.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace primitect {
 namespace {
@@ -59,6 +58,9 @@ class Choice {
     order_.push_back(h);
     for (const Support& support : pool_[h].support) enter(h, support);
   }
+
+  /// Those chosen in another order.
+  void putInOrder(const std::vector<std::uint32_t>& order) { order_ = order; }
 
   void remove(std::uint32_t h) {
     chosen_[h] = false;
@@ -195,6 +197,7 @@ void restore(const std::vector<std::uint32_t>& chosen, Choice& choice) {
   for (const std::uint32_t h : chosen) {
     if (!in(h, now)) choice.add(h);
   }
+  choice.putInOrder(chosen);
 }
 
 /// Leaves one out, and keeps the outcome when the rest then finds something better: two planes for one cone.

@@ -3,7 +3,6 @@
 // Whether neighbouring points err alike, as those of real depth cameras do.
 #pragma once
 
-
 #include "core/point_noise.h"
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
@@ -14,7 +13,6 @@ namespace primitect {
 /// from independent points has to be multiplied. From the sums of residuals over some thirty cells of the surface,
 /// which grow like the square root of the number of points only where the noise is independent; 1 unless chance is
 /// ruled out. What is shared over larger parts of the surface goes into the fit and cannot be seen.
-double measureSharedNoise(const Shape& shape, const SeenPoints& inliers,
-                          const PointNoise& sigma);
+double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma);
 
 }  // namespace primitect

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <utility>
 
 #include "core/evidence.h"
@@ -192,7 +190,7 @@ void Verification::refit(int times) {
     const HeldGains held = heldByChosen();
     const std::size_t before = pool_.size();
     for (const Segment& segment : segments_) {
-      // The same samples would give the same shapes.
+      // The same samples hardly give another shape.
       if (std::find(refitted_.begin(), refitted_.end(), segment.inliers) != refitted_.end()) continue;
       refitted_.push_back(segment.inliers);
       refit(segment, held);

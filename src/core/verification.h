@@ -3,7 +3,6 @@
 // Checking candidates on the samples, round by round: which shapes are there, and how sure that is.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

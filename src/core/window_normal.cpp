@@ -19,7 +19,7 @@ kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_wid
   constexpr int kFewestAtStart = 6;
   kernels::WindowTask task = {};
   task.pixel = pixel;
-  task.half_width = static_cast<std::size_t>(half_width);
+  task.half_width = std::min(static_cast<std::size_t>(half_width), kernels::kLargestHalfWidth);
   task.inner_half_width = (task.half_width + 1) / 2;
   task.depth = static_cast<float>(center.z());
   task.u = static_cast<float>(center.x() / center.z());

@@ -155,7 +155,9 @@ struct Detector::Workspace {
       if (isLargePlane(item, all_samples.size())) large.push_back(item);
     }
     draw(cloud, large, params.closer_samples, params.rounds);
+    done("sample");
     estimateNormals(cloud, params, normal_source, samples);
+    done("normals");
     all_samples.append(samples);
     verification.addSamples(samples);
     voteAgain();
@@ -167,7 +169,9 @@ struct Detector::Workspace {
   /// What is left of all rounds votes once more: together, samples of a small surface are enough.
   void voteAgain() {
     const std::vector<std::uint32_t> rest = verification.unexplained();
+    done("look closer");
     voting.vote(verification.samples().part(rest), result.scene_diameter, candidates);
+    done("vote");
     for (Candidate& candidate : candidates) candidate.sample = rest[candidate.sample];
     sortByVotes(candidates);
     verification.propose(candidates);

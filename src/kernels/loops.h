@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Plain loops over structures of arrays that a compiler turns into vectors. Each is written once (loops_*.inc) and
+// Plain loops over structures of arrays that a compiler turns into vectors. Each is written once (*_loops.inc) and
 // compiled for every instruction set; all give the same bits: sums have kLanes lanes whatever the width.
 #pragma once
 
@@ -36,6 +36,9 @@ struct JudgedSamples {
 /// Gain of a sample that has nothing to do with the shape.
 constexpr float kNoGain = -2.0f;
 
+/// Up to so many times its tolerance a sample counts, from the tolerance on against the shape.
+constexpr float kGainReach = 2.0f;
+
 /// Two unit vectors across a shape's direction and each other: the axes that it is turned about.
 struct FlatTurn {
   float first_x = 0, first_y = 0, first_z = 0, second_x = 0, second_y = 0, second_z = 0;
@@ -58,7 +61,6 @@ struct FitPoints {
 struct NormalEquations {
   double hessian[6][6];
   double right[6];
-  double gain;  ///< sum of 1 - (r / tolerance)^2 over the points within the tolerance
 };
 
 /// Sums over points p with normals n: of f, f f' (lower triangle) with f = (p, n), and of n n'p.

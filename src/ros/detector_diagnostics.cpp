@@ -105,6 +105,7 @@ void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {
 void DetectorDiagnostics::fillTiming(DiagnosticStatusWrapper& status) const {
   status.summary(DiagnosticStatus::OK, "no frame yet");
   status.add("voting kernel", kernelInUse());
+  status.add("loops", loopsInUse());
   if (!times_) return;
   for (const StageSummary& s : times_->summaries()) {
     status.addf(s.stage + " ms p50 p95 max", "%.2f %.2f %.2f", s.median, s.p95, s.max);

@@ -39,7 +39,7 @@ void DetectorNodelet::start() {
   const LoadedParams loaded = loadParams(privateParameters(private_handle));
   NODELET_INFO_STREAM(getName() << ": preset '" << loaded.preset
                                 << "', parameters that differ from it: " << differenceText(loaded));
-  NODELET_INFO_STREAM(getName() << ": voting kernel '" << kernelInUse() << "'");
+  NODELET_INFO_STREAM(getName() << ": voting kernel '" << kernelInUse() << "', loops '" << loopsInUse() << "'");
   pipeline_ = std::make_unique<FramePipeline>(loaded.params);
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
   if (!loaded.params.target_frame.empty()) {

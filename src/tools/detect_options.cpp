@@ -78,7 +78,7 @@ void addParamOptions(CLI::App& app, RawOptions& raw) {
 std::string kernelText() {
   std::string text = "available:";
   for (const std::string& name : kernelNames()) text += " " + name;
-  return text + "\nin use: " + kernelInUse() + "\n";
+  return text + "\nin use: " + kernelInUse() + ", loops: " + loopsInUse() + "\n";
 }
 
 double positiveNumber(const std::string& name, const std::string& text, const std::string& unit) {

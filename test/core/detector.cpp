@@ -183,7 +183,7 @@ TEST(Detector, NamesItsStagesInOrderInEachRound) {
   for (int i = 0; i < 4000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
   detector.detect(test::cloudOf(points));
   const std::string round = "sample normals vote segment ";
-  EXPECT_EQ(stages, round + round + "look closer measure ");
+  EXPECT_EQ(stages, round + round + "sample normals look closer vote look closer measure ");
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {

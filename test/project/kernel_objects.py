@@ -25,7 +25,8 @@ def symbols(listing):
 def faults_of(listing):
     tables = set()
     for name, kind, symbol in symbols(listing):
-        if name in COMMON_FLAGS or symbol.startswith("__odr_asan"):
+        # Of the sanitizers, and a pointer to the run time's routine for exceptions: no code.
+        if name in COMMON_FLAGS or symbol.startswith(("__odr_asan", "DW.ref.")):
             continue
         if kind in WEAK:
             yield "%s has a weak symbol: %s" % (name, symbol)
