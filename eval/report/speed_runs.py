@@ -71,14 +71,10 @@ def times_of(program, cases, effort, seconds, environment=None):
 
 
 def parse_kernels(text):
-    """Names of the kernels that can run here, of what `detect --kernels` prints; what stands in lines that deny it, as
-    "avx512: not on this processor", cannot. Scalar, which all are compared with, is always among them."""
-    found = []
-    for line in text.lower().splitlines():
-        words = re.findall(r"[\w-]+", line)
-        if not set(words) & {"not", "no", "unavailable", "unsupported", "missing"}:
-            found += [name for name in KERNELS if name in words and name not in found]
-    return found if not found or "scalar" in found else ["scalar"] + found
+    """Names of the voting kernels that can run here, of what `detect --kernels` prints: those in its line "available:".
+    """
+    lines = [line for line in text.splitlines() if line.startswith("available:")]
+    return lines[0].split()[1:] if lines else []
 
 
 def accepts(program, kernel):
