@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
 
@@ -203,6 +204,27 @@ TEST(Hold, KeepsTheBestGainOfEachSampleAndNoLoss) {
   EXPECT_EQ(held[0], 2.0f);
   EXPECT_NEAR(held[1], 1.0f, kRounding);
   EXPECT_EQ(held[60], 0.0f);
+}
+
+TEST(EvaluateAround, LeavesTheGainsNearThePointAsTheyAre) {
+  Random random(77);
+  const Samples samples = samplesWith(kNoiseModel, test::patchOf(kPlane, 2000, 1.0, random));
+  const HeldGains nothing(samples.size(), 0.0f);
+  const Hypothesis all = hypothesisOf(kPlane, samples);
+  Hypothesis around = all, everywhere = all;
+  constexpr double kReach = 0.2;
+  evaluateAround(samples.point(0), kReach, samples, nothing, 1.0, around);
+  evaluateAround(samples.point(0), 10.0, samples, nothing, 1.0, everywhere);
+  EXPECT_EQ(everywhere.support.size(), all.support.size());
+  std::vector<std::uint32_t> near;
+  for (const Support& support : around.support) near.push_back(support.sample);
+  std::size_t within = 0;
+  for (const Support& support : all.support) {
+    if ((samples.point(support.sample) - samples.point(0)).norm() > kReach) continue;
+    ++within;
+    EXPECT_TRUE(std::binary_search(near.begin(), near.end(), support.sample)) << support.sample;
+  }
+  EXPECT_GT(within, 5u);
 }
 
 }  // namespace

@@ -248,6 +248,18 @@ TEST(Proposal, CountsWhatIsRefused) {
   EXPECT_EQ(proposed(enough, {proposalAt(kWall, enough, 0)}).refusals[Refusal::few_inliers], 0u);
 }
 
+TEST(Proposal, IsNotTriedAThirdTimeAtTheSamePlace) {
+  Random random(80);
+  const Samples few = noisy(patchOf(kWall, 20, 0.1, random), 10);
+  const Candidate weak = proposalAt(kWall, few, 0);
+  EXPECT_EQ(proposed(few, {weak, weak, weak, weak}).refusals[Refusal::few_inliers], 2u);
+  // One failure does not stand in the way of a better one.
+  const Samples enough = noisy(patchOf(kWall, 200, 0.1, random), 10);
+  Candidate wrong = proposalAt(kWall, enough, 0);
+  std::get<Plane>(wrong.shape).normal = Vec3::UnitX();
+  EXPECT_EQ(proposed(enough, {wrong, proposalAt(kWall, enough, 0)}).pool.size(), 1u);
+}
+
 TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   // A cone of 3 deg over a short length is a cylinder but for a millimetre.
   Params params;

@@ -316,5 +316,32 @@ TEST(Confidence, OfRightShapesIsHigherThanOfAnyOnASaddle) {
   }
 }
 
+TEST(Unexplained, AreSamplesOfNobodyWhereManyAreTogether) {
+  Random random(98);
+  Frame frame;
+  std::vector<SurfacePoint> points = noisy(patchOf(kWall, 1200, 0.4, random), random);
+  frame.round(points);
+  ASSERT_TRUE(frame.only(Kind::plane));
+  // A ball in front of the wall, and a few stray points, which no round has voted for.
+  Verification verification = frame.verification();
+  std::vector<SurfacePoint> more = noisy(patchOf(kBall, 200, random), random);
+  for (const double x : {-0.4, 0.0, 0.4}) more.push_back({Vec3(x, 0.3, 0.6), Vec3(0, 0, -1)});
+  verification.addSamples(test::samplesOf(more));
+  const std::vector<std::uint32_t> rest = verification.unexplained();
+  EXPECT_GT(rest.size(), 190u);
+  for (const std::uint32_t i : rest) EXPECT_NEAR(distance(kBall, verification.samples().point(i)), 0.0, 0.02) << i;
+  // What they vote for, by indices into all rounds, becomes a ball.
+  const std::size_t on_ball = rest[rest.size() / 2];
+  Candidate candidate = test::candidate(kBall, more[0], 50.0);
+  candidate.point = verification.samples().point(on_ball);
+  candidate.normal = verification.samples().normal(on_ball);
+  candidate.sample = static_cast<std::uint32_t>(on_ball);
+  verification.propose({candidate});
+  verification.conclude();
+  const auto spheres = std::count_if(verification.segments().begin(), verification.segments().end(),
+                                     [](const Segment& s) { return kindOf(s.candidate.shape) == Kind::sphere; });
+  EXPECT_EQ(spheres, 1);
+}
+
 }  // namespace
 }  // namespace primitect
