@@ -13,23 +13,16 @@
 #include "eval/bench/lazy_clouds.h"
 #include "eval/bench/scenes.h"
 #include "ros/frame_pipeline.h"
+#include "ros/synthetic_messages.h"
 
 namespace {
 
 using namespace primitect;
 using namespace primitect::bench;
+using ros_layer::floatField;
 using Messages = std::vector<sensor_msgs::PointCloud2>;
 
 constexpr std::size_t kPaperClouds = 3;  // they take seconds to make
-
-sensor_msgs::PointField floatField(const char* name, std::uint32_t offset) {
-  sensor_msgs::PointField field;
-  field.name = name;
-  field.offset = offset;
-  field.datatype = sensor_msgs::PointField::FLOAT32;
-  field.count = 1;
-  return field;
-}
 
 /// As drivers send clouds: x y z and four bytes of padding; in 32 bytes also colour, or the normals if there are any.
 sensor_msgs::PointCloud2 messageOf(const Cloud& cloud, std::uint32_t point_step) {

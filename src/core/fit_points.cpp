@@ -14,6 +14,11 @@ namespace primitect {
 
 namespace {
 
+/// What fills up lanes.
+constexpr float kNoWeight = std::numeric_limits<float>::infinity();
+
+std::size_t wholeLanes(std::size_t count) { return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes; }
+
 /// A point that is no number has no place.
 bool usable(const Samples& s, std::uint32_t i) { return std::isfinite(s.x[i] + s.y[i] + s.z[i]); }
 
@@ -34,8 +39,7 @@ std::array<float, 3> meanOf(const SampleSet& set) {
 
 template <class ToleranceOf>
 void FitPoints::gatherWith(const SampleSet& set, const ToleranceOf& tolerance) {
-  constexpr float kNoWeight = std::numeric_limits<float>::infinity();
-  const std::size_t most = (set.size() + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+  const std::size_t most = wholeLanes(set.size());
   for (std::vector<float>* values : {&x_, &y_, &z_, &nx_, &ny_, &nz_, &once_}) values->assign(most, 0.0f);
   inverse_tolerance_.assign(most, kNoWeight);
   const std::array<float, 3> origin = meanOf(set);
@@ -64,7 +68,6 @@ void FitPoints::gather(const SampleSet& set, const std::function<double(const Ve
 }
 
 void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
-  constexpr float kNoWeight = std::numeric_limits<float>::infinity();
   size_ = seen.size();
   origin_ = seen.origin;
   x_ = seen.x, y_ = seen.y, z_ = seen.z;
@@ -85,7 +88,7 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
     value = 1.0f / value;
   }
   mean_sigma_ = tolerances / (kInlierDeviations * static_cast<double>(size_));
-  const std::size_t filled = (size_ + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+  const std::size_t filled = wholeLanes(size_);
   for (std::vector<float>* values : {&x_, &y_, &z_}) values->resize(filled, 0.0f);
   inverse_tolerance_.resize(filled, kNoWeight);
 }

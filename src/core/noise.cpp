@@ -22,8 +22,7 @@ void applyNoise(const NoiseModel& noise, Samples& samples) {
     samples.normal_loss[i] = static_cast<float>(2.0 * kNormalShare / (limit * limit));
     samples.farthest_turn[i] = static_cast<float>(0.5 * farthest * farthest);
   }
-  samples.blocks.clear();
-  samples.blocks.append(samples, 0);
+  samples.blocks.build(samples);
 }
 
 }  // namespace primitect

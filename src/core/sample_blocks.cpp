@@ -15,13 +15,26 @@ void SampleBlocks::clear() {
   for (std::vector<float>* values : {&x_, &y_, &z_, &radius_, &tolerance_}) values->clear();
 }
 
-void SampleBlocks::append(const Samples& samples, std::size_t begin) {
+void SampleBlocks::append(const SampleBlocks& more, std::size_t offset) {
+  for (std::size_t k = 0; k < more.size(); ++k) {
+    begin_.push_back(offset + more.begin_[k]);
+    end_.push_back(offset + more.end_[k]);
+  }
+  const auto add = [](std::vector<float>& values, const std::vector<float>& others) {
+    values.insert(values.end(), others.begin(), others.end());
+  };
+  add(x_, more.x_), add(y_, more.y_), add(z_, more.z_);
+  add(radius_, more.radius_), add(tolerance_, more.tolerance_);
+}
+
+void SampleBlocks::build(const Samples& samples) {
   const auto middleOf = [](const std::vector<float>& values, std::size_t from, std::size_t to) {
     const auto range = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(from),
                                            values.begin() + static_cast<std::ptrdiff_t>(to));
     return 0.5f * (*range.first + *range.second);
   };
-  for (; begin < samples.size(); begin += kSize) {
+  clear();
+  for (std::size_t begin = 0; begin < samples.size(); begin += kSize) {
     const std::size_t end = std::min(begin + kSize, samples.size());
     const float x = middleOf(samples.x, begin, end), y = middleOf(samples.y, begin, end),
                 z = middleOf(samples.z, begin, end);

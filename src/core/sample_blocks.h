@@ -25,8 +25,11 @@ class SampleBlocks {
   std::size_t size() const { return begin_.size(); }
   void clear();
 
-  /// Adds the samples from `begin` on; their tolerances are known.
-  void append(const Samples& samples, std::size_t begin);
+  /// Of all samples, whose tolerances are known.
+  void build(const Samples& samples);
+
+  /// Adds those of more samples, the first of which is number `offset` here.
+  void append(const SampleBlocks& more, std::size_t offset);
 
   /// Whether samples of the block may be within the radius (m) of this point.
   bool reaches(const SampleBlock& block, const Eigen::Vector3f& point, float radius) const {

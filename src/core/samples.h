@@ -21,7 +21,7 @@ struct Samples {
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
   std::vector<float> inverse_tolerance, normal_loss, farthest_turn;
   std::vector<std::uint32_t> index;  ///< of the point in the cloud
-  SampleBlocks blocks;               ///< made by applyNoise(); append() leaves them as they are
+  SampleBlocks blocks;               ///< made by applyNoise()
 
   std::size_t size() const { return x.size(); }
   void clear() {
@@ -36,6 +36,7 @@ struct Samples {
     add(normal_sigma, more.normal_sigma), add(sigma, more.sigma);
     add(inverse_tolerance, more.inverse_tolerance), add(normal_loss, more.normal_loss);
     add(farthest_turn, more.farthest_turn);
+    blocks.append(more.blocks, index.size());
     add(index, more.index);
   }
   /// Those of these indices, without what applyNoise() makes of them.

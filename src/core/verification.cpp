@@ -55,7 +55,6 @@ void Verification::append(Samples samples) {
   applyNoise(noise_, samples);
   samples_.append(samples);
   refitted_.clear();
-  samples_.blocks.append(samples_, samples_.size() - samples.size());
   graph_.build(samples_);
   const HeldGains nothing(samples_.size(), 0.0f);
   for (Hypothesis& hypothesis : pool_) evaluate(samples_, nothing, 1.0, hypothesis);

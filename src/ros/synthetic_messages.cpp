@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::uint32_t kPointStep = 16;
 
+std::uint16_t millimetres(float depth) {
+  const float rounded = std::round(1000.0f * depth);
+  return rounded >= 1.0f && rounded <= 65535.0f ? static_cast<std::uint16_t>(rounded) : 0;
+}
+
+}  // namespace
+
 sensor_msgs::PointField floatField(const char* name, std::uint32_t offset) {
   sensor_msgs::PointField field;
   field.name = name;
@@ -23,13 +30,6 @@ sensor_msgs::PointField floatField(const char* name, std::uint32_t offset) {
   field.count = 1;
   return field;
 }
-
-std::uint16_t millimetres(float depth) {
-  const float rounded = std::round(1000.0f * depth);
-  return rounded >= 1.0f && rounded <= 65535.0f ? static_cast<std::uint16_t>(rounded) : 0;
-}
-
-}  // namespace
 
 sensor_msgs::PointCloud2Ptr depthCloud(const std_msgs::Header& header, const std::vector<float>& depth,
                                        const synthetic::PinholeCamera& camera) {

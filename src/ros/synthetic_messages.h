@@ -9,12 +9,16 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "synthetic/camera.h"
 
 namespace primitect::ros_layer {
+
+/// One float32 a point, `offset` bytes from its beginning.
+sensor_msgs::PointField floatField(const char* name, std::uint32_t offset);
 
 /// Organized, x y z as float32 (m), 16 bytes a point as drivers do; missing points are NaN.
 sensor_msgs::PointCloud2Ptr depthCloud(const std_msgs::Header& header, const std::vector<float>& depth,
