@@ -52,17 +52,16 @@ std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& poin
   return starts;
 }
 
-/// Calls use(trial) with the fit from each start that ends within the limits, evaluated; counts those that do not.
+/// Calls use(trial) with the fit from each start that ends within the limits, and its score; counts those that do not.
 template <class Use>
 int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
            const ProposalRules& rules, const Hypothesis& hypothesis, const Use& use) {
-  // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
-  // below what few samples can tell.
-  constexpr RefineRules kQuick = {1.0, 2, 8, 1e-5};
-  RefineRules refine_rules = kQuick;
-  refine_rules.widen = rules.widen;
   FitPoints points;
   points.gather({samples, set});
+  // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
+  // below what few samples can tell.
+  constexpr double kSmallStep = 0.005;  // of the noise
+  const RefineRules refine_rules = {rules.widen, 2, 6, kSmallStep * points.meanSigma()};
   int refused = 0;
   Hypothesis trial;
   trial.votes = hypothesis.votes;
@@ -72,7 +71,7 @@ int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std:
     if (!shape || !rules.limits.hold(*shape)) continue;
     trial.shape = *shape;
     trial.concave = start.concave;
-    evaluate(samples, held, 1.0, trial);
+    score(samples, held, 1.0, trial);
     use(trial);
   }
   return refused;
@@ -87,15 +86,15 @@ bool Limits::hold(const Shape& shape) const {
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
   double best = 0.0;
-  Hypothesis winner;
-  const int refused = fitAll(samples, held, set, rules, hypothesis, [&](Hypothesis& trial) {
+  const Hypothesis start = hypothesis;
+  const int refused = fitAll(samples, held, set, rules, start, [&](const Hypothesis& trial) {
     if (!(trial.score > best)) return;
     best = trial.score;
-    std::swap(winner, trial);
-    trial.votes = winner.votes;
+    hypothesis.shape = trial.shape;
+    hypothesis.concave = trial.concave;
   });
   if (refusals) (*refusals)[Refusal::limits] += refused;
-  if (best > 0.0) hypothesis = std::move(winner);
+  if (best > 0.0) evaluate(samples, held, 1.0, hypothesis);
   return best > 0.0;
 }
 
@@ -106,7 +105,7 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector
   Hypothesis own;
   own.shape = hypothesis.shape;
   own.concave = hypothesis.concave;
-  evaluate(samples, held, 1.0, own);
+  score(samples, held, 1.0, own);
   double best = 0.0;
   fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
     if (kindOf(trial.shape) == kindOf(hypothesis.shape) || !(trial.score > best)) return;

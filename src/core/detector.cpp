@@ -25,7 +25,7 @@ Detector& Detector::operator=(Detector&&) noexcept = default;
 const Params& Detector::params() const { return work_->params; }
 
 SampleView Detector::samples() const {
-  const Samples& s = work_->all_samples;
+  const Samples& s = work_->allSamples();
   return {s.x, s.y, s.z, s.nx, s.ny, s.nz};
 }
 
@@ -35,7 +35,7 @@ const Detections& Detector::detect(const Cloud& cloud) {
   Workspace& w = *work_;
   w.begin(cloud);
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
-    if (!w.vote(cloud, round)) break;
+    if (!w.prepareRound(cloud, round)) break;
     w.params.verify ? w.segmentVerified(cloud, round) : w.segmentByVotes();
     w.done("segment");
   }

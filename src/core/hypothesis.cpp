@@ -12,23 +12,54 @@
 namespace primitect {
 namespace {
 
-/// Takes the gains of a block of samples into the support; returns their sum.
-double take(const float* gains, const SampleBlock& block, const HeldGains& held, Hypothesis& hypothesis) {
-  std::vector<Support>& support = hypothesis.support;
-  const std::size_t before = support.size();
-  support.resize(before + block.end - block.begin);
-  Support* next = support.data() + before;
-  double sum = 0.0;
+/// Gains of the samples of a block.
+using BlockGains = std::array<float, SampleBlocks::kSize>;
+static_assert(SampleBlocks::kSize == kernels::kMostGains);
+
+/// Calls use(block, sums, gains) for each wanted block with samples near the shape.
+template <class Wanted, class Use>
+void forGains(const Samples& samples, const HeldGains& held, double widen, const Hypothesis& hypothesis,
+              const Wanted& wanted, const Use& use) {
+  const kernels::FlatShape shape = flattened(hypothesis.shape, Vec3::Zero());
+  const kernels::JudgedSamples judged = samples.judged(held);
+  const float side = hypothesis.concave ? -1.0f : 1.0f;
+  const float scale = static_cast<float>(1.0 / widen);
+  BlockGains gains;
+  samples.blocks.forNear(shape, static_cast<float>(widen), [&](const SampleBlock& block) {
+    if (!wanted(block)) return;
+    const kernels::GainSums sums =
+        kernels::loops().gains(shape, side, scale, judged, block.begin, block.end, gains.data());
+    if (sums.near > 0) use(block, sums, gains);
+  });
+}
+
+/// Takes the gains of a block of samples into the support.
+void take(const BlockGains& gains, const SampleBlock& block, std::vector<Support>& support) {
+  std::array<Support, SampleBlocks::kSize> taken;
+  std::size_t count = 0;
   for (std::size_t i = block.begin; i < block.end; ++i) {
     const float gain = gains[i - block.begin];
-    *next = {static_cast<std::uint32_t>(i), gain};
-    next += gain > kernels::kNoGain ? 1 : 0;
-    hypothesis.inliers += gain > 0.0f ? 1 : 0;
-    hypothesis.gain_sum += gain > 0.0f ? gain : 0.0f;
-    sum += gain > 0.0f || (gain > kernels::kNoGain && held[i] < kWellExplained) ? gain : 0.0f;
+    taken[count] = {static_cast<std::uint32_t>(i), gain};
+    count += gain > kernels::kNoGain ? 1 : 0;
   }
-  support.resize(static_cast<std::size_t>(next - support.data()));
-  return sum;
+  support.insert(support.end(), taken.begin(), taken.begin() + count);
+}
+
+/// Fills score, gain_sum and inliers, and calls use(block, gains) for each block with samples near the shape.
+template <class Use>
+void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis, const Use& use) {
+  hypothesis.inliers = 0;
+  hypothesis.gain_sum = 0.0;
+  double counted = 0.0;
+  const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const BlockGains& gains) {
+    hypothesis.inliers += sums.inliers;
+    hypothesis.gain_sum += sums.positive;
+    counted += sums.counted;
+    use(block, gains);
+  };
+  forGains(
+      samples, held, widen, hypothesis, [](const SampleBlock&) { return true; }, add);
+  hypothesis.score = counted - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
 }
 
 }  // namespace
@@ -40,43 +71,33 @@ double priceOf(Kind kind, double inliers) {
   return parameters * (std::log(std::max(inliers, 1.0)) / 9.0 + kPerInlier * inliers);
 }
 
-namespace {
-
-template <class Wanted>
-void evaluateBlocks(const Samples& samples, const HeldGains& held, double widen, const Wanted& wanted,
-                    Hypothesis& hypothesis) {
-  hypothesis.support.clear();
-  hypothesis.inliers = 0;
-  hypothesis.gain_sum = 0.0;
-  hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
-  const kernels::FlatShape shape = flattened(hypothesis.shape, Vec3::Zero());
-  const float side = hypothesis.concave ? -1.0f : 1.0f;
-  const float scale = static_cast<float>(1.0 / widen);
-  std::array<float, SampleBlocks::kSize> gains;
-  double sum = 0.0;
-  samples.blocks.forNear(shape, static_cast<float>(widen), [&](const SampleBlock& block) {
-    if (!wanted(block)) return;
-    if (kernels::loops().gains(shape, side, scale, samples.judged(), block.begin, block.end, gains.data()) == 0) return;
-    sum += take(gains.data(), block, held, hypothesis);
-    hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
-  });
-  hypothesis.score = sum - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
+void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
+  scoreWith(samples, held, widen, hypothesis, [](const SampleBlock&, const BlockGains&) {});
 }
-
-}  // namespace
 
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
-  evaluateBlocks(
-      samples, held, widen, [](const SampleBlock&) { return true; }, hypothesis);
+  hypothesis.support.clear();
+  hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
+  scoreWith(samples, held, widen, hypothesis, [&](const SampleBlock& block, const BlockGains& gains) {
+    take(gains, block, hypothesis.support);
+    hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
+  });
 }
 
-void evaluateAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
-                    Hypothesis& hypothesis) {
+void inliersAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
+                   const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers) {
   const Eigen::Vector3f center = point.cast<float>();
-  const auto near = [&](const SampleBlock& block) {
-    return samples.blocks.reaches(block, center, static_cast<float>(reach));
+  const auto radius = static_cast<float>(reach);
+  const auto within = [&](const SampleBlock& block) { return samples.blocks.reaches(block, center, radius); };
+  inliers.clear();
+  const auto add = [&](const SampleBlock& block, const kernels::GainSums&, const BlockGains& gains) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      if (!(gains[i - block.begin] > 0.0f)) continue;
+      const Eigen::Vector3f way = Eigen::Vector3f(samples.x[i], samples.y[i], samples.z[i]) - center;
+      if (way.squaredNorm() <= radius * radius) inliers.push_back(static_cast<std::uint32_t>(i));
+    }
   };
-  evaluateBlocks(samples, held, widen, near, hypothesis);
+  forGains(samples, held, widen, hypothesis, within, add);
 }
 
 bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {

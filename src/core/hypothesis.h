@@ -37,15 +37,18 @@ bool mayOverlap(const Hypothesis& a, const Hypothesis& b);
 using HeldGains = std::vector<float>;
 
 /// A sample with this gain needs no better explanation.
-constexpr float kWellExplained = 0.1f;
+using kernels::kWellExplained;
 
-/// Fills support and score from the shape. Samples that others explain well do not speak against it. widen: times the
-/// noise, for a shape that is not fitted yet.
+/// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it. widen:
+/// times the noise, for a shape that is not fitted yet.
+void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
+
+/// Fills support and blocks, too.
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 
-/// The same on the samples within reach (m) of a point, and on others in their blocks.
-void evaluateAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
-                    Hypothesis& hypothesis);
+/// Indices of the samples within reach (m) of a point that the shape of the hypothesis has a gain above 0 at.
+void inliersAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
+                   const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers);
 
 /// Takes the gains of the hypothesis into those held.
 void hold(const Hypothesis& hypothesis, HeldGains& held);

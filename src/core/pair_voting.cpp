@@ -103,26 +103,32 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
   return best;
 }
 
+void PairVoting::begin(const Samples& samples, double scene_diameter) {
+  samples_ = &samples;
+  references_ = std::min<std::size_t>(samples.size(), params_.references);
+  rules_ = votingRules(params_, scene_diameter);
+  boxes_.enclose(samples);
+  accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
+}
+
+void PairVoting::voteAt(std::uint32_t sample, std::vector<Candidate>& candidates) {
+  if (!samples_->hasNormal(sample)) return;
+  const kernels::Boxes boxes = boxes_.view();
+  kernels::Samples view = samples_->view();
+  view.boxes = &boxes;
+  const kernels::Reference reference = referenceAt(*samples_, sample);
+  kernels_.vote(reference, view, rules_, accumulators_.bins());
+  if (std::optional<Candidate> candidate = strongest(reference)) {
+    candidate->sample = sample;
+    candidates.push_back(*candidate);
+  }
+  accumulators_.clear();
+}
+
 void PairVoting::vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates) {
   candidates.clear();
-  const kernels::VotingRules rules = votingRules(params_, scene_diameter);
-  boxes_.enclose(samples);
-  const kernels::Boxes boxes = boxes_.view();
-  kernels::Samples view = samples.view();
-  view.boxes = &boxes;
-  accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
-  const std::size_t count = std::min<std::size_t>(samples.size(), params_.references);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = k * samples.size() / count;
-    if (!samples.hasNormal(i)) continue;
-    const kernels::Reference reference = referenceAt(samples, i);
-    kernels_.vote(reference, view, rules, accumulators_.bins());
-    if (std::optional<Candidate> candidate = strongest(reference)) {
-      candidate->sample = static_cast<std::uint32_t>(i);
-      candidates.push_back(*candidate);
-    }
-    accumulators_.clear();
-  }
+  begin(samples, scene_diameter);
+  for (std::size_t k = 0; k < references(); ++k) voteAt(reference(k), candidates);
 }
 
 }  // namespace primitect

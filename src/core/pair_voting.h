@@ -33,7 +33,21 @@ class PairVoting {
   /// Throws std::invalid_argument as kernels::chosenKernels().
   explicit PairVoting(const Params& params);
 
-  /// At most one candidate for each reference; the references are spread evenly over the samples. d_s in m.
+  /// Gets ready for references among these samples, which must stay until the last one has voted. d_s in m.
+  void begin(const Samples& samples, double scene_diameter);
+
+  /// How many references there are: params.references, but no more than samples.
+  std::size_t references() const { return references_; }
+
+  /// Sample that is the k-th reference; they are spread evenly over the samples.
+  std::uint32_t reference(std::size_t k) const {
+    return static_cast<std::uint32_t>(k * samples_->size() / references_);
+  }
+
+  /// Adds the strongest shape that the pairs of this sample vote for, if there is one.
+  void voteAt(std::uint32_t sample, std::vector<Candidate>& candidates);
+
+  /// begin(), and all references: at most one candidate for each.
   void vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates);
 
  private:
@@ -47,6 +61,9 @@ class PairVoting {
 
   Params params_;
   const kernels::Kernels& kernels_;
+  const Samples* samples_ = nullptr;
+  std::size_t references_ = 0;
+  kernels::VotingRules rules_ = {};
   SampleBoxes boxes_;
   Accumulators accumulators_;
 };

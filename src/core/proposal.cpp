@@ -15,10 +15,7 @@ void gather(const Samples& samples, const HeldGains& held, const Candidate& cand
   hypothesis.votes = candidate.votes;
   // A plane goes through its reference: only its direction is rough.
   const double widen = kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen;
-  evaluateAround(candidate.point, rules.reach, samples, held, widen, hypothesis);
-  inliersOf(hypothesis, set);
-  const auto far = [&](std::uint32_t i) { return (samples.point(i) - candidate.point).norm() > rules.reach; };
-  set.erase(std::remove_if(set.begin(), set.end(), far), set.end());
+  inliersAround(candidate.point, rules.reach, samples, held, widen, hypothesis, set);
 }
 
 namespace {
@@ -43,27 +40,34 @@ bool grow(const Samples& samples, const HeldGains& held, const ProposalRules& ru
 
 }  // namespace
 
-void proposeHypotheses(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
-                       const ProposalRules& rules, HeldGains held, std::vector<Hypothesis>& pool, Refusals& refusals) {
+void Proposer::begin(HeldGains held) {
+  held_ = std::move(held);
+  failures_.assign(held_.size(), 0);
+}
+
+bool Proposer::wants(std::uint32_t sample) const {
   constexpr float kWell = 0.4f;
   constexpr int kTries = 2;  // what so many stronger candidates could not explain, a weaker one will not
+  return held_[sample] <= kWell && failures_[sample] < kTries;
+}
+
+void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
+                       const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals) {
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
-  std::vector<int> failures(samples.size(), 0);
-  std::vector<std::uint32_t> set, part;
+  const auto unexplained = [this](std::uint32_t i) { return held_[i] < kWellExplained; };
   for (const Candidate& candidate : candidates) {
-    if (held[candidate.sample] > kWell || failures[candidate.sample] >= kTries) continue;
+    if (!wants(candidate.sample)) continue;
     Hypothesis hypothesis;
-    gather(samples, held, candidate, rules, hypothesis, set);
-    graph.connected(set, candidate.sample, part);
-    const auto unexplained = [&held](std::uint32_t i) { return held[i] < kWellExplained; };
-    if (static_cast<std::size_t>(std::count_if(part.begin(), part.end(), unexplained)) < needed / 2) {
+    gather(samples, held_, candidate, rules, hypothesis, set_);
+    graph.connected(set_, candidate.sample, part_);
+    if (static_cast<std::size_t>(std::count_if(part_.begin(), part_.end(), unexplained)) < needed / 2) {
       ++refusals[Refusal::few_inliers];
-    } else if (grow(samples, held, rules, part, hypothesis, refusals)) {
-      hold(hypothesis, held);
+    } else if (grow(samples, held_, rules, part_, hypothesis, refusals)) {
+      hold(hypothesis, held_);
       pool.push_back(std::move(hypothesis));
       continue;
     }
-    for (const std::uint32_t i : part) ++failures[i];
+    for (const std::uint32_t i : part_) ++failures_[i];
   }
 }
 

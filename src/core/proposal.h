@@ -16,12 +16,29 @@ namespace primitect {
 void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
             Hypothesis& hypothesis, std::vector<std::uint32_t>& set);
 
-/// Adds a hypothesis for each candidate whose reference is not explained yet, in the order of votes; held: what
-/// explains the samples before. The samples near the candidate's shape, within reach of its reference, are fitted with
-/// all four kinds (moments, then robust least squares); the kind with the best score wins, takes all samples that it
-/// fits, and competes again on these until it grows no more. Limits hold after every fit. Where two candidates failed,
-/// no other is tried.
-void proposeHypotheses(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
-                       const ProposalRules& rules, HeldGains held, std::vector<Hypothesis>& pool, Refusals& refusals);
+/// Makes hypotheses of candidates whose references are not explained yet. The samples near the candidate's shape,
+/// within reach of its reference, are fitted with all four kinds (moments, then robust least squares); the kind with
+/// the best score wins, takes all samples that it fits, and competes again on these until it grows no more. Limits hold
+/// after every fit. Where two candidates failed, no other is tried.
+class Proposer {
+ public:
+  /// Starts with what explains the samples already.
+  void begin(HeldGains held);
+
+  /// Whether a candidate of this reference would be looked at.
+  bool wants(std::uint32_t sample) const;
+
+  /// Adds to the pool what comes of the candidates, in their order.
+  void propose(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
+               const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals);
+
+  /// What explains the samples by now.
+  const HeldGains& held() const { return held_; }
+
+ private:
+  HeldGains held_;
+  std::vector<std::uint8_t> failures_;  ///< of each sample: candidates that came to nothing there
+  std::vector<std::uint32_t> set_, part_;
+};
 
 }  // namespace primitect

@@ -60,7 +60,8 @@ struct Samples {
   Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
   bool hasNormal(std::size_t i) const { return nx[i] == nx[i]; }
   kernels::Samples view() const { return {x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data(), x.size()}; }
-  kernels::JudgedSamples judged() const {
+  /// held: the best gain that other shapes have at each sample.
+  kernels::JudgedSamples judged(const std::vector<float>& held) const {
     return {x.data(),
             y.data(),
             z.data(),
@@ -69,7 +70,8 @@ struct Samples {
             nz.data(),
             inverse_tolerance.data(),
             normal_loss.data(),
-            farthest_turn.data()};
+            farthest_turn.data(),
+            held.data()};
   }
 
  private:

@@ -51,13 +51,14 @@ ProposalRules Verification::rules() const {
   return {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
 }
 
-void Verification::append(Samples samples) {
+void Verification::addSamples(Samples samples) {
   applyNoise(noise_, samples);
   samples_.append(samples);
   refitted_.clear();
   graph_.build(samples_);
   const HeldGains nothing(samples_.size(), 0.0f);
   for (Hypothesis& hypothesis : pool_) evaluate(samples_, nothing, 1.0, hypothesis);
+  proposer_.begin(heldByChosen());
 }
 
 void Verification::measureNoise(Samples samples, const std::vector<Candidate>& candidates) {
@@ -66,29 +67,19 @@ void Verification::measureNoise(Samples samples, const std::vector<Candidate>& c
   noise_ = primitect::measureNoise(samples, candidates, rules());
 }
 
-void Verification::addRound(Samples samples, std::vector<Candidate> candidates) {
-  for (Candidate& candidate : candidates) candidate.sample += static_cast<std::uint32_t>(samples_.size());
-  append(std::move(samples));
-  propose(candidates);
-  select();
-  refit(1);
+void Verification::propose(const std::vector<Candidate>& candidates) {
+  proposer_.propose(samples_, graph_, candidates, rules(), pool_, refusals_);
 }
 
-void Verification::addSamples(Samples samples) {
-  append(std::move(samples));
-  select();
-}
+void Verification::settle() { select(); }
 
 std::vector<std::uint32_t> Verification::unexplained() {
+  const HeldGains held = heldByChosen();
   std::vector<std::uint32_t> rest;
-  for (std::uint32_t i = 0; i < selection_.owner.size(); ++i) {
-    if (selection_.owner[i] == kNobody) rest.push_back(i);
+  for (std::uint32_t i = 0; i < held.size(); ++i) {
+    if (!(held[i] > 0.0f)) rest.push_back(i);
   }
   return graph_.largeParts(rest, needed(params_) / 2);
-}
-
-void Verification::propose(const std::vector<Candidate>& candidates) {
-  proposeHypotheses(samples_, graph_, candidates, rules(), heldByChosen(), pool_, refusals_);
 }
 
 void Verification::conclude() {

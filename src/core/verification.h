@@ -33,17 +33,20 @@ class Verification {
   /// The noise, from the first samples and what they voted for, strongest first.
   void measureNoise(Samples samples, const std::vector<Candidate>& candidates);
 
-  /// A round's samples, with normals, and what they voted for, strongest first. Selects anew.
-  void addRound(Samples samples, std::vector<Candidate> candidates);
-
-  /// More samples, for a closer look. Selects anew.
+  /// Samples of a round, with normals, and what is to be proposed from now on.
   void addSamples(Samples samples);
 
-  /// Indices of the samples that nothing explains, where there are enough of them together for a shape.
-  std::vector<std::uint32_t> unexplained();
+  /// Whether a candidate of this reference, any sample added so far, would be looked at.
+  bool wants(std::uint32_t sample) const { return proposer_.wants(sample); }
 
-  /// Candidates whose references are any samples added so far, strongest first.
+  /// Candidates of such references, strongest first.
   void propose(const std::vector<Candidate>& candidates);
+
+  /// Selects from all that was proposed.
+  void settle();
+
+  /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
+  std::vector<std::uint32_t> unexplained();
 
   /// Selects anew, and then refuses what is not likely enough; its samples may serve others.
   void conclude();
@@ -57,7 +60,6 @@ class Verification {
 
  private:
   ProposalRules rules() const;
-  void append(Samples samples);
   void select();
   void dropLikenesses();
   void refit(int times);
@@ -73,6 +75,7 @@ class Verification {
   NoiseModel noise_;
   Samples samples_;
   SampleGraph graph_;
+  Proposer proposer_;
   std::vector<Hypothesis> pool_;
   Selection selection_;
   std::vector<Segment> segments_;

@@ -62,11 +62,15 @@ struct Detector::Workspace {
     if (stage_done) stage_done(stage);
   }
 
+  /// Of all rounds of this frame.
+  const Samples& allSamples() const { return params.verify ? verification.samples() : all_samples; }
+
   /// Forgets the last frame and looks whether this one can be used.
   void begin(const Cloud& cloud) {
     samples.clear();
     all_samples.clear();
     segments.clear();
+    verification.begin({});
     normal_source.reset();
     result = {};
     result.points_in = static_cast<std::uint32_t>(cloud.size());
@@ -98,21 +102,21 @@ struct Detector::Workspace {
     verification.begin({result.scene_diameter, depth_camera});
   }
 
-  /// The samples of a round and what they vote for; false when there is nothing left to vote.
-  bool vote(const Cloud& cloud, int round) {
+  /// The samples of a round, with normals; false when there is nothing left to vote.
+  bool prepareRound(const Cloud& cloud, int round) {
     draw(cloud, result.items, params.samples, round);
     done("sample");
     if (round == 0) measureScale(cloud);
     if (result.status != Status::ok || samples.size() < kFewestPoints) return false;
     estimateNormals(cloud, params, normal_source, samples);
     done("normals");
-    voting.vote(samples, result.scene_diameter, candidates);
-    done("vote");
     return true;
   }
 
   /// The paper's way: what most references agree on.
   void segmentByVotes() {
+    voting.vote(samples, result.scene_diameter, candidates);
+    done("vote");
     clusterCandidates(candidates, params, result.scene_diameter);
     selectSegments(samples, candidates, params, tolerance, segments);
     all_samples.append(samples);
@@ -120,7 +124,7 @@ struct Detector::Workspace {
     describeSegments(segments, all_samples);
   }
 
-  /// Normals that the cloud brings may be too poor for its noise: measured anew, they vote again.
+  /// Normals that the cloud brings may be too poor for its noise: then they are measured anew.
   bool improveNormals(const Cloud& cloud) {
     constexpr double kPoor = 0.1, kWanted = 0.05;  // rad, about each axis
     const NoiseModel& noise = verification.noise();
@@ -128,17 +132,61 @@ struct Detector::Workspace {
     if (!params.improve_normals || !own || noise.angle < kPoor * kNormalDeviations) return false;
     normal_source.neighbor_count = neighborsFor(cloud, samples, noise.distance, kWanted, normal_source);
     estimateNormals(cloud, params, normal_source, samples);
-    voting.vote(samples, result.scene_diameter, candidates);
-    sortByVotes(candidates);
     return true;
   }
 
-  void segmentVerified(const Cloud& cloud, int round) {
+  void measureNoise(const Cloud& cloud) {
+    measureNoiseByVotes();
+    if (improveNormals(cloud)) measureNoiseByVotes();
+  }
+
+  /// From what the first batch votes for.
+  void measureNoiseByVotes() {
+    voting.begin(samples, result.scene_diameter);
+    candidates.clear();
+    for (std::size_t k = 0; k < voting.references(); k += batches()) voting.voteAt(voting.reference(k), candidates);
+    done("vote");
     sortByVotes(candidates);
-    if (round == 0) verification.measureNoise(samples, candidates);
-    if (round == 0 && improveNormals(cloud)) verification.measureNoise(samples, candidates);
-    all_samples.append(samples);
-    verification.addRound(samples, candidates);
+    verification.measureNoise(samples, candidates);
+  }
+
+  std::size_t batches() const {
+    constexpr std::size_t kBatch = 64;  // references
+    return (voting.references() + kBatch - 1) / kBatch;
+  }
+
+  /// Votes and proposals go on in turns: references that are explained by now need not vote. Those of a batch are
+  /// spread over all voters. place: index of a voter among all samples.
+  template <class Place>
+  void search(const Samples& voters, const Place& place) {
+    voting.begin(voters, result.scene_diameter);
+    candidates.clear();
+    std::vector<Candidate> strongest;
+    for (std::size_t batch = 0; batch < batches(); ++batch) {
+      const std::size_t pending = candidates.size();
+      for (std::size_t k = batch; k < voting.references(); k += batches()) {
+        const std::uint32_t reference = voting.reference(k);
+        if (verification.wants(place(reference))) voting.voteAt(reference, candidates);
+      }
+      done("vote");
+      for (std::size_t k = pending; k < candidates.size(); ++k) candidates[k].sample = place(candidates[k].sample);
+      sortByVotes(candidates);
+      // Weak ones wait: a later batch may know better.
+      const bool last = batch + 1 == batches();
+      const auto taken = candidates.begin() + (last ? candidates.size() : candidates.size() / 2);
+      strongest.assign(candidates.begin(), taken);
+      candidates.erase(candidates.begin(), taken);
+      verification.propose(strongest);
+      done("segment");
+    }
+  }
+
+  void segmentVerified(const Cloud& cloud, int round) {
+    if (round == 0) measureNoise(cloud);
+    const auto first = static_cast<std::uint32_t>(verification.samples().size());
+    verification.addSamples(samples);
+    search(samples, [first](std::uint32_t voter) { return first + voter; });
+    verification.settle();
     useVerified();
   }
 
@@ -152,13 +200,12 @@ struct Detector::Workspace {
   void lookCloser(const Cloud& cloud) {
     std::vector<Detection> large;
     for (const Detection& item : result.items) {
-      if (isLargePlane(item, all_samples.size())) large.push_back(item);
+      if (isLargePlane(item, verification.samples().size())) large.push_back(item);
     }
     draw(cloud, large, params.closer_samples, params.rounds);
     done("sample");
     estimateNormals(cloud, params, normal_source, samples);
     done("normals");
-    all_samples.append(samples);
     verification.addSamples(samples);
     voteAgain();
     verification.conclude();
@@ -169,12 +216,9 @@ struct Detector::Workspace {
   /// What is left of all rounds votes once more: together, samples of a small surface are enough.
   void voteAgain() {
     const std::vector<std::uint32_t> rest = verification.unexplained();
-    done("look closer");
-    voting.vote(verification.samples().part(rest), result.scene_diameter, candidates);
-    done("vote");
-    for (Candidate& candidate : candidates) candidate.sample = rest[candidate.sample];
-    sortByVotes(candidates);
-    verification.propose(candidates);
+    const Samples voters = verification.samples().part(rest);
+    if (voters.size() < kFewestPoints) return;
+    search(voters, [&rest](std::uint32_t voter) { return rest[voter]; });
   }
 
   /// The final numbers come from the points of the cloud.
@@ -211,7 +255,7 @@ struct Detector::Workspace {
   Verification verification;
   Sampler sampler;
   Samples samples;      ///< of this round
-  Samples all_samples;  ///< of all rounds of this frame
+  Samples all_samples;  ///< of all rounds of this frame, by votes alone
   Tolerance tolerance;  ///< of what belongs to a shape
   std::vector<Candidate> candidates;
   std::vector<Segment> segments;  ///< by votes alone

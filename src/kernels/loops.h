@@ -31,6 +31,7 @@ struct JudgedSamples {
   const float* inverse_tolerance;  ///< 1/m: distance at which nothing is gained
   const float* normal_loss;        ///< what 1 - cos of the normals' angle takes from the gain
   const float* farthest_turn;      ///< 1 - cos from which on a normal belongs to another surface
+  const float* held;               ///< best gain that other shapes have
 };
 
 /// Gain of a sample that has nothing to do with the shape.
@@ -38,6 +39,20 @@ constexpr float kNoGain = -2.0f;
 
 /// Up to so many times its tolerance a sample counts, from the tolerance on against the shape.
 constexpr float kGainReach = 2.0f;
+
+/// A sample that others hold with this gain does not speak against a shape.
+constexpr float kWellExplained = 0.1f;
+
+/// Samples that are judged at once, whole lanes.
+constexpr std::size_t kMostGains = 64;
+
+/// Of the samples judged at once.
+struct GainSums {
+  std::size_t near;     ///< that have a gain
+  std::size_t inliers;  ///< with a gain above 0
+  float positive;       ///< sum of gains above 0
+  float counted;        ///< sum of gains, without those below 0 of samples that others hold well
+};
 
 /// Two unit vectors across a shape's direction and each other: the axes that it is turned about.
 struct FlatTurn {
@@ -126,10 +141,9 @@ struct Loops {
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                     float* distance);
 
-  /// Gains of the samples [begin, end) into gain[0 ..]; kNoGain where there is none. side: -1 where the surface is seen
-  /// from inside; scale: of the tolerances, inverse. Returns how many there are.
-  std::size_t (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
-                       std::size_t end, float* gain);
+  /// Gains of the samples [begin, end), at most kMostGains, into gain[0 ..]; kNoGain where there is none. side: -1 where the surface is seen from inside; scale: of the tolerances, inverse.
+  GainSums (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
+                    std::size_t end, float* gain);
 
   /// scale: of the tolerances, inverse.
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,

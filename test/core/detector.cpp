@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <limits>
+#include <regex>
 #include <stdexcept>
 
 #include "test/support/scenes.h"
@@ -171,6 +172,11 @@ TEST(Detector, RefusesParametersOutOfRange) {
   EXPECT_THROW(Detector{params}, std::invalid_argument);
 }
 
+/// Votes and what is made of them take turns: each run of turns as one.
+std::string withoutTurns(const std::string& stages) {
+  return std::regex_replace(stages, std::regex("vote (vote |segment )*segment "), "vote segment ");
+}
+
 TEST(Detector, NamesItsStagesInOrderInEachRound) {
   Params params;
   params.rounds = 2;
@@ -183,7 +189,7 @@ TEST(Detector, NamesItsStagesInOrderInEachRound) {
   for (int i = 0; i < 4000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
   detector.detect(test::cloudOf(points));
   const std::string round = "sample normals vote segment ";
-  EXPECT_EQ(stages, round + round + "sample normals look closer vote look closer measure ");
+  EXPECT_EQ(withoutTurns(stages), round + round + round + "look closer measure ");
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {

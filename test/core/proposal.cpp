@@ -43,8 +43,9 @@ Proposed proposed(const Samples& samples, const std::vector<Candidate>& candidat
   SampleGraph graph;
   graph.build(samples);
   Proposed result;
-  proposeHypotheses(samples, graph, candidates, rulesOf(params), HeldGains(samples.size(), 0.0f), result.pool,
-                    result.refusals);
+  Proposer proposer;
+  proposer.begin(HeldGains(samples.size(), 0.0f));
+  proposer.propose(samples, graph, candidates, rulesOf(params), result.pool, result.refusals);
   return result;
 }
 
@@ -206,8 +207,10 @@ TEST(Proposal, KeepsTwoParallelDiscsApart) {
   const Params params;
   std::vector<Hypothesis> pool;
   Refusals refusals;
-  proposeHypotheses(samples, graph, {proposalAt(front, samples, 10), proposalAt(back, samples, 310)},
-                    {coarse, {params, 0.4}, 1.0, 0.3}, HeldGains(samples.size(), 0.0f), pool, refusals);
+  Proposer proposer;
+  proposer.begin(HeldGains(samples.size(), 0.0f));
+  proposer.propose(samples, graph, {proposalAt(front, samples, 10), proposalAt(back, samples, 310)},
+                   {coarse, {params, 0.4}, 1.0, 0.3}, pool, refusals);
   const Selection selection = selectHypotheses(samples, pool, 25);
   ASSERT_EQ(selection.chosen.size(), 2u);
   for (const std::uint32_t h : selection.chosen) {

@@ -28,6 +28,16 @@ const Plane kWall = {Vec3(0, 0, 1.3), Vec3(0, 0, -1)};
 const Sphere kBall = {Vec3(-0.2, 0, 1), 0.08};
 const Cylinder kCan = {Vec3(0.2, 0, 1), Vec3(0, -1, 0), 0.06};
 
+/// Samples of a round and what they vote for, strongest first.
+void addRound(Verification& verification, const Samples& samples, std::vector<Candidate> candidates) {
+  for (Candidate& candidate : candidates) {
+    candidate.sample += static_cast<std::uint32_t>(verification.samples().size());
+  }
+  verification.addSamples(samples);
+  verification.propose(candidates);
+  verification.settle();
+}
+
 /// A frame, fed by rounds of points and what they vote for.
 class Frame {
  public:
@@ -40,7 +50,7 @@ class Frame {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
     if (verification_.samples().size() == 0) verification_.measureNoise(test::samplesOf(points), candidates);
-    verification_.addRound(test::samplesOf(points), candidates);
+    addRound(verification_, test::samplesOf(points), candidates);
   }
   void conclude(const std::vector<SurfacePoint>& points = {}) {
     verification_.addSamples(test::samplesOf(points));
@@ -132,7 +142,7 @@ TEST(Verification, ForgetsTheLastFrame) {
     EXPECT_EQ(verification->samples().size(), 0u);
     const std::vector<Candidate> candidates = test::candidatesOf(points, kDiameter, Params());
     verification->measureNoise(test::samplesOf(points), candidates);
-    verification->addRound(test::samplesOf(points), candidates);
+    addRound(*verification, test::samplesOf(points), candidates);
   }
   ASSERT_EQ(used.segments().size(), fresh.segments().size());
   for (std::size_t k = 0; k < fresh.segments().size(); ++k) {
@@ -196,7 +206,7 @@ TEST(Verification, FitsThePartsOfAPlaneApartOnceSamplesTellThatThereIsAGap) {
   verification.begin({kDiameter, false});
   verification.measureNoise(test::samplesOf(many),
                             {test::candidate({Plane{many[0].point, many[0].normal}}, many[0], 9)});
-  verification.addRound(test::samplesOf(few), {test::candidate(both, few[0], 9.0)});
+  addRound(verification, test::samplesOf(few), {test::candidate(both, few[0], 9.0)});
   ASSERT_EQ(verification.segments().size(), 1u);
   EXPECT_GT(verification.segments()[0].inliers.size(), 50u);
   verification.addSamples(test::samplesOf(many));
@@ -221,7 +231,7 @@ TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   Verification verification{Params()};
   verification.begin({0.5, false});
   verification.measureNoise(test::samplesOf(points), candidates);
-  verification.addRound(test::samplesOf(points), candidates);
+  addRound(verification, test::samplesOf(points), candidates);
   verification.conclude();
   ASSERT_EQ(verification.segments().size(), 2u);
   for (const Segment& segment : verification.segments()) {
