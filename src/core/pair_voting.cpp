@@ -67,7 +67,10 @@ std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const V
 }
 
 PairVoting::PairVoting(const Params& params)
-    : params_(params), kernels_(kernels::chosenKernels()), accumulators_(params) {}
+    : params_(params),
+      references_(static_cast<std::size_t>(params.references)),
+      kernels_(kernels::chosenKernels()),
+      accumulators_(params) {}
 
 void PairVoting::propose(const Peak& peak, Candidate candidate, std::optional<Candidate>& best) const {
   if (!(peak.votes > toBeat(best))) return;
@@ -111,7 +114,7 @@ void PairVoting::vote(const Samples& samples, double scene_diameter, std::vector
   kernels::Samples view = samples.view();
   view.boxes = &boxes;
   accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
-  const std::size_t count = std::min<std::size_t>(samples.size(), params_.references);
+  const std::size_t count = std::min(samples.size(), references_);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = k * samples.size() / count;
     if (!samples.hasNormal(i)) continue;

@@ -33,6 +33,9 @@ class PairVoting {
   /// Throws std::invalid_argument as kernels::chosenKernels().
   explicit PairVoting(const Params& params);
 
+  /// How many references vote() takes at most, instead of the parameter's number.
+  void setReferences(std::size_t count) { references_ = count; }
+
   /// At most one candidate for each reference; the references are spread evenly over the samples. d_s in m.
   void vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates);
 
@@ -46,6 +49,7 @@ class PairVoting {
   double toBeat(const std::optional<Candidate>& best) const { return best ? best->votes : params_.min_votes; }
 
   Params params_;
+  std::size_t references_;
   const kernels::Kernels& kernels_;
   SampleBoxes boxes_;
   Accumulators accumulators_;
