@@ -19,6 +19,19 @@ struct SampleView {
   const std::vector<float>&x, &y, &z, &nx, &ny, &nz;
 };
 
+/// How much work a frame may be. The default is all of it: the result then depends on cloud and parameters alone.
+struct Effort {
+  /// Of samples, references and closer_samples, (0, 1]; what is less than leastShare() counts as that. With verify
+  /// min_inliers goes down with them, to no less than 12: the same surface gets fewer samples. min_votes stays.
+  double share = 1.0;
+  /// Asked before each round but the first and before the closer look, until it says true: then what is left of the
+  /// search is skipped, and what was found so far is verified and measured. Empty: there is time for everything.
+  std::function<bool()> out_of_time;
+};
+
+/// The share that leaves 512 samples in a draw: fewer are too few to measure the noise.
+double leastShare(const Params& params);
+
 /// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit.
 /// One detector serves one thread; its buffers are reused from frame to frame.
 class Detector {
@@ -32,8 +45,8 @@ class Detector {
   const Params& params() const;
 
   /// Never throws on data: an unusable cloud gives no primitives and the reason in status.
-  /// The result is valid until the next call.
-  const Detections& detect(const Cloud& cloud);
+  /// The result is valid until the next call. Throws std::invalid_argument naming a share that is not in (0, 1].
+  const Detections& detect(const Cloud& cloud, const Effort& effort = {});
 
   /// The label of each point of the cloud given to the last detect(): index of its detection + 1, 0 = none.
   void label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const;

@@ -3,6 +3,9 @@
 // The pipeline: rounds of sample, normals, vote, segment; then a closer look, and measures on the points of the cloud.
 #include "primitect/detector.h"
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "core/workspace.h"
@@ -15,7 +18,17 @@ Params checked(const Params& params) {
   return params;
 }
 
+const Effort& checked(const Effort& effort) {
+  if (0.0 < effort.share && effort.share <= 1.0) return effort;
+  throw std::invalid_argument("share of the effort is " + std::to_string(effort.share) + ", allowed: above 0, up to 1");
+}
+
 }  // namespace
+
+double leastShare(const Params& params) {
+  constexpr double kFewestSamples = 512.0;
+  return std::min(1.0, kFewestSamples / params.samples);
+}
 
 Detector::Detector(const Params& params) : work_(std::make_unique<Workspace>(checked(params))) {}
 Detector::~Detector() = default;
@@ -31,16 +44,18 @@ SampleView Detector::samples() const {
 
 void Detector::onStageDone(std::function<void(const char*)> callback) { work_->stage_done = std::move(callback); }
 
-const Detections& Detector::detect(const Cloud& cloud) {
+const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
   Workspace& w = *work_;
-  w.begin(cloud);
+  w.begin(cloud, checked(effort));
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
+    if (round > 0 && w.outOfTime()) break;
     if (!w.prepareRound(cloud, round)) break;
     w.params.verify ? w.segmentVerified(cloud, round) : w.segmentByVotes();
     w.done("segment");
   }
   if (w.params.verify && w.result.status == Status::ok) {
-    w.lookCloser(cloud);
+    if (!w.outOfTime()) w.lookCloser(cloud);
+    w.conclude();
     w.done("look closer");
     w.measureOnCloud(cloud);
     w.done("measure");

@@ -67,7 +67,10 @@ std::optional<Cone> coneFromVotes(const Vec3& point, const Vec3& normal, const V
 }
 
 PairVoting::PairVoting(const Params& params)
-    : params_(params), kernels_(kernels::chosenKernels()), accumulators_(params) {}
+    : params_(params),
+      most_references_(static_cast<std::size_t>(params.references)),
+      kernels_(kernels::chosenKernels()),
+      accumulators_(params) {}
 
 void PairVoting::propose(const Peak& peak, Candidate candidate, std::optional<Candidate>& best) const {
   if (!(peak.votes > toBeat(best))) return;
@@ -105,7 +108,7 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
 
 void PairVoting::begin(const Samples& samples, double scene_diameter) {
   samples_ = &samples;
-  references_ = std::min<std::size_t>(samples.size(), params_.references);
+  references_ = std::min(samples.size(), most_references_);
   rules_ = votingRules(params_, scene_diameter);
   boxes_.enclose(samples);
   accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());

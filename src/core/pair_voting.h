@@ -33,10 +33,13 @@ class PairVoting {
   /// Throws std::invalid_argument as kernels::chosenKernels().
   explicit PairVoting(const Params& params);
 
+  /// How many references there are at most, instead of the parameter's number.
+  void setReferences(std::size_t count) { most_references_ = count; }
+
   /// Gets ready for references among these samples, which must stay until the last one has voted. d_s in m.
   void begin(const Samples& samples, double scene_diameter);
 
-  /// How many references there are: params.references, but no more than samples.
+  /// How many references there are: no more than samples.
   std::size_t references() const { return references_; }
 
   /// Sample that is the k-th reference; they are spread evenly over the samples.
@@ -60,6 +63,7 @@ class PairVoting {
   double toBeat(const std::optional<Candidate>& best) const { return best ? best->votes : params_.min_votes; }
 
   Params params_;
+  std::size_t most_references_;
   const kernels::Kernels& kernels_;
   const Samples* samples_ = nullptr;
   std::size_t references_ = 0;

@@ -112,6 +112,7 @@ const std::map<std::string, std::vector<Setting>>& presets() {
       {"cluster_angle_deg", 20.0},
       // Not in the paper: normals, and what is too weak to report. 20 of 2048 samples are half of its smallest objects.
       {"closer_samples", 0},
+      {"max_latency", 0.0},
       {"seed", 1},
       {"normal_window", 7},
       {"improve_normals", false},

@@ -27,6 +27,9 @@ class Verification {
  public:
   explicit Verification(const Params& params) : params_(params) {}
 
+  /// How many samples a shape needs at least, instead of the parameter's number.
+  void setMinInliers(int count) { params_.min_inliers = count; }
+
   /// Forgets the last frame.
   void begin(const FrameScale& scale);
 

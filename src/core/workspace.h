@@ -66,7 +66,11 @@ struct Detector::Workspace {
   const Samples& allSamples() const { return params.verify ? verification.samples() : all_samples; }
 
   /// Forgets the last frame and looks whether this one can be used.
-  void begin(const Cloud& cloud) {
+  void begin(const Cloud& cloud, const Effort& frame_effort) {
+    effort = &frame_effort;
+    out_of_time = false;
+    voting.setReferences(atThisEffort(params.references));
+    verification.setMinInliers(inliersAtThisEffort());
     samples.clear();
     all_samples.clear();
     segments.clear();
@@ -81,12 +85,30 @@ struct Detector::Workspace {
     labeling.begin(cloud);
   }
 
+  /// How many of what there are at full effort.
+  std::size_t atThisEffort(int count) const {
+    return static_cast<std::size_t>(std::ceil(std::max(effort->share, leastShare(params)) * count));
+  }
+
+  /// As few as the same surface gets at this effort: or small ones that are seen would be refused. Less than a dozen
+  /// samples on one surface may be chance.
+  int inliersAtThisEffort() const {
+    constexpr int kFewest = 12;
+    return std::min(params.min_inliers, std::max(kFewest, static_cast<int>(atThisEffort(params.min_inliers))));
+  }
+
+  /// True from the first time on that the effort's owner says so.
+  bool outOfTime() {
+    out_of_time = out_of_time || (effort->out_of_time && effort->out_of_time());
+    return out_of_time;
+  }
+
   /// Draws samples from the points that none of these explains.
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
     if (round > 0) labeling.label(explaining, tolerance.scaled(kOutskirts), labels);
-    sampler.draw(cloud, round > 0 ? &labels : nullptr, static_cast<std::size_t>(count),
+    sampler.draw(cloud, round > 0 ? &labels : nullptr, atThisEffort(count),
                  static_cast<std::uint64_t>(params.seed) + round, samples);
   }
 
@@ -208,6 +230,10 @@ struct Detector::Workspace {
     done("normals");
     verification.addSamples(samples);
     voteAgain();
+  }
+
+  /// What is there, and how likely; refuses what is not likely enough.
+  void conclude() {
     verification.conclude();
     useVerified();
     result.refusals = verification.refusals();
@@ -251,6 +277,8 @@ struct Detector::Workspace {
 
   Params params;
   std::function<void(const char*)> stage_done;
+  const Effort* effort = nullptr;  ///< only while a frame runs
+  bool out_of_time = false;        ///< in this frame
   PairVoting voting;
   Verification verification;
   Sampler sampler;

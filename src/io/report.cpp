@@ -91,6 +91,7 @@ Json fileJson(const FileReport& report) {
   json["points_in"] = found.points_in;
   json["points_used"] = found.points_used;
   json["samples"] = found.samples;
+  if (report.effort) json["effort"] = *report.effort;
   json["scene_diameter"] = found.scene_diameter;
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = Json::array();

@@ -3,6 +3,7 @@
 // What was found, as JSON for programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,8 @@ struct FileReport {
   std::string file;
   std::string error;  ///< not empty: the file could not be read, nothing else holds
   Detections detections;
-  Timing timing_ms;  ///< with several runs: the medians
+  std::optional<double> effort;  ///< with max_latency: the share of the samples that was drawn at each draw
+  Timing timing_ms;              ///< with several runs: the medians
   int repeats = 1;
   Timing min_ms, max_ms;  ///< with several runs only
 };
@@ -27,8 +29,8 @@ struct FileReport {
 /// One JSON object, ends with a newline:
 /// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "refused": {reason: count},
 /// "primitives": [...], "timing_ms": {...}}. Metres, radians. What no stage has filled is null, as is the rival of a
-/// primitive that has none. A file that could not be read: {"file", "error",
-/// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".
+/// primitive that has none. With max_latency also "effort", the share of the samples. A file that could not be read:
+/// {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.

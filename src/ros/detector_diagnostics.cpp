@@ -53,12 +53,14 @@ void DetectorDiagnostics::frameFailed(const std::string& error) {
   last_error_ = error;
 }
 
-void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times) {
+void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, const LatencyGovernor* governor) {
   if (subscribed && !subscribed_) last_frame_ = SteadyClock::now();
   subscribed_ = subscribed;
   times_ = &times;
+  governor_ = governor;
   updater_.force_update();
   times_ = nullptr;
+  governor_ = nullptr;
 }
 
 void DetectorDiagnostics::startAnew() {
@@ -110,6 +112,18 @@ void DetectorDiagnostics::fillTiming(DiagnosticStatusWrapper& status) const {
   for (const StageSummary& s : times_->summaries()) {
     status.addf(s.stage + " ms p50 p95 max", "%.2f %.2f %.2f", s.median, s.p95, s.max);
     if (s.stage == "total") status.summaryf(DiagnosticStatus::OK, "%.1f ms a frame (median)", s.median);
+  }
+  fillLatency(status);
+}
+
+void DetectorDiagnostics::fillLatency(DiagnosticStatusWrapper& status) const {
+  if (!governor_) return;
+  status.addf("max_latency ms", "%g", 1e3 * governor_->bound());
+  status.addf("share of the samples", "%.2f", governor_->share());
+  status.add("frames under max_latency", governor_->frames() - governor_->missed());
+  status.add("frames over max_latency", governor_->missed());
+  if (governor_->hopeless()) {
+    status.summary(DiagnosticStatus::WARN, "even with the fewest samples frames take longer than max_latency");
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 
+#include "primitect/latency_governor.h"
 #include "primitect/primitives.h"
 #include "steady_time.h"
 
@@ -42,19 +43,22 @@ class DetectorDiagnostics {
   void frameFailed(const std::string& error);
 
   /// Publishes now; for a wall timer, as the updater's own clock stalls when time jumps back.
-  void publish(bool subscribed, const StageTimes& times);
+  /// governor: null if max_latency is off.
+  void publish(bool subscribed, const StageTimes& times, const LatencyGovernor* governor);
   void startAnew();
 
  private:
   void fillInput(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillDetection(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillTiming(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  void fillLatency(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   FrameCounters counters_;
   std::string last_error_;
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs
+  const LatencyGovernor* governor_ = nullptr;                ///< the same
   diagnostic_updater::Updater updater_;
 };
 

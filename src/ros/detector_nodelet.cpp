@@ -113,6 +113,16 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   message.processing_time = static_cast<float>(pipeline_->times().end());
   diagnostics_->frameDone(message, pipeline_->refusals(), problem);
   publish(cloud, message);
+  pipeline_->published();
+  warnIfHopeless();
+}
+
+void DetectorNodelet::warnIfHopeless() {
+  const LatencyGovernor* governor = pipeline_->governor();
+  if (!governor || !governor->hopeless() || told_hopeless_) return;
+  told_hopeless_ = true;
+  NODELET_WARN_STREAM(getName() << ": even with the fewest samples frames take longer than max_latency, "
+                                << governor->bound() << " s");
 }
 
 void DetectorNodelet::publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message) {
@@ -135,7 +145,7 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
   NODELET_INFO_STREAM(getName() << ": time went back by " << backwards << " s, starting anew");
   marker_writer_.startAnew();
   diagnostics_->startAnew();
-  pipeline_->times().clear();
+  pipeline_->startAnew();
 }
 
 std::string DetectorNodelet::toTargetFrame(PrimitiveArray& message) {
@@ -166,6 +176,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   const Lock lock(mutex_);
   try {
     pipeline_->setParams(fromConfig(config, pipeline_->params()));
+    told_hopeless_ = false;
     if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
   } catch (const std::exception& error) {
     NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());
@@ -175,7 +186,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
 
 void DetectorNodelet::onDiagnosticsTimer() try {
   const Lock lock(mutex_);
-  diagnostics_->publish(static_cast<bool>(input_), pipeline_->times());
+  diagnostics_->publish(static_cast<bool>(input_), pipeline_->times(), pipeline_->governor());
 } catch (const std::exception& error) {
   NODELET_ERROR_STREAM(getName() << " could not publish diagnostics: " << error.what());
 }

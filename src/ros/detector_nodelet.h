@@ -40,6 +40,8 @@ class DetectorNodelet : public nodelet::Nodelet {
 
   void processCloud(const sensor_msgs::PointCloud2& cloud);
   void publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message);
+  /// Once, or once more after parameters changed.
+  void warnIfHopeless();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
   /// Moves the primitives to target_frame; empty, or why that is not possible.
   std::string toTargetFrame(PrimitiveArray& message);
@@ -53,6 +55,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   MarkerWriter marker_writer_;
   MarkerStyle marker_style_;
   ros::Time last_stamp_;
+  bool told_hopeless_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;

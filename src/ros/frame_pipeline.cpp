@@ -23,7 +23,7 @@ std::string depthRangeText(double min_depth, double max_depth) {
 
 }  // namespace
 
-FramePipeline::FramePipeline(const Params& params) : detector_(makeDetector(params)) {}
+FramePipeline::FramePipeline(const Params& params) : detector_(makeDetector(params)) { resetGovernor(); }
 
 Detector FramePipeline::makeDetector(const Params& params) {
   Detector detector(params);
@@ -36,14 +36,38 @@ void FramePipeline::stageDone(const char* stage) {
   if (stage_done_) stage_done_(stage);
 }
 
-void FramePipeline::setParams(const Params& params) { detector_ = makeDetector(params); }
+void FramePipeline::setParams(const Params& params) {
+  detector_ = makeDetector(params);
+  resetGovernor();
+}
+
+void FramePipeline::startAnew() {
+  times_.clear();
+  resetGovernor();
+}
+
+void FramePipeline::resetGovernor() {
+  governor_.reset();
+  if (params().max_latency > 0.0) governor_.emplace(params().max_latency, leastShare(params()));
+}
+
+const Detections& FramePipeline::detect() {
+  if (!governor_) return detector_.detect(cloud_);
+  governor_->beginFrame();
+  return detector_.detect(cloud_, {governor_->share(), [this] { return governor_->outOfTime(times_.elapsed()); }});
+}
+
+void FramePipeline::published() {
+  // A cloud that was not searched says nothing about the time that searching takes.
+  if (governor_ && detections_.status == Status::ok) governor_->endFrame(times_.elapsed());
+}
 
 PrimitiveArray FramePipeline::process(const sensor_msgs::PointCloud2& message) {
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
   problem_ = readCloud(message, range, params().use_cloud_normals, cloud_);
   stageDone("read");
   if (problem_.empty()) {
-    detections_ = detector_.detect(cloud_);
+    detections_ = detect();
     problem_ = statusProblem();
   } else {
     detections_ = Detections();

@@ -7,11 +7,13 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "primitect/detector.h"
+#include "primitect/latency_governor.h"
 #include "steady_time.h"
 
 namespace primitect::ros_layer {
@@ -28,7 +30,17 @@ class FramePipeline {
   const Params& params() const { return detector_.params(); }
 
   /// Reads the cloud and detects. When the status is not OK, problem() says why. processing_time is left 0.
+  /// With max_latency, times().begin() is when the frame came.
   PrimitiveArray process(const sensor_msgs::PointCloud2& message);
+
+  /// The frame is done, all of its outputs are published: what it took decides on the effort of the next one.
+  void published();
+
+  /// Of max_latency; null: that is off.
+  const LatencyGovernor* governor() const { return governor_ ? &*governor_ : nullptr; }
+
+  /// Forgets how long frames took.
+  void startAnew();
 
   /// What was wrong with the last cloud and what was expected; empty: it was searched.
   const std::string& problem() const { return problem_; }
@@ -48,11 +60,14 @@ class FramePipeline {
  private:
   Detector makeDetector(const Params& params);
   void stageDone(const char* stage);
+  void resetGovernor();
+  const Detections& detect();
   std::string statusProblem() const;
 
   StageTimes times_;
   std::function<void(const char*)> stage_done_;
   Detector detector_;
+  std::optional<LatencyGovernor> governor_;
   Cloud cloud_;
   Detections detections_;
   std::vector<std::uint32_t> labels_;

@@ -50,6 +50,9 @@ class StageTimes {
     frame_begin_ = stage_begin_ = SteadyClock::now();
   }
 
+  /// Seconds since the frame began, also when it is done.
+  double elapsed() const { return secondsSince(frame_begin_); }
+
   /// The stage that began where the one before ended is done.
   /// A stage that runs several times in a frame counts once, with the sum of its times.
   void stageDone(const char* stage);

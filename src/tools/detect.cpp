@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "io/label_file.h"
@@ -50,10 +51,15 @@ Input readInput(const tools::DetectOptions& options, const std::string& path) {
   return input;
 }
 
-void runDetector(primitect::Detector& detector, const Input& input, int repeats, io::FileReport& report) {
+/// All runs of one call are frames in a row, of one sensor and one machine.
+using Governor = std::optional<primitect::LatencyGovernor>;
+
+void runDetector(primitect::Detector& detector, const Input& input, int repeats, Governor& governor,
+                 io::FileReport& report) {
   std::vector<io::Timing> runs;
   for (int i = 0; i < repeats; ++i) {
-    const tools::TimedRun run = tools::timeDetection(detector, input.cloud);
+    if (governor) report.effort = governor->share();
+    const tools::TimedRun run = tools::timeDetection(detector, input.cloud, governor ? &*governor : nullptr);
     runs.push_back(run.timing_ms);
     if (i + 1 == repeats) report.detections = run.found;
   }
@@ -77,14 +83,17 @@ void writePointOutputs(const Targets& targets, std::size_t index, const primitec
   io::writePicture(targets.picture.path(index), io::drawPicture(points, input.file.intrinsics, title));
 }
 
-io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index) {
+io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index,
+                           Governor& governor) {
   io::FileReport report;
   report.file = options.files[index];
   tools::Stopwatch reading;
   const Input input = readInput(options, report.file);
   report.timing_ms.emplace_back("read", reading.lapMs());
   primitect::Detector detector(input.params);
-  runDetector(detector, input, options.repeats, report);
+  const double bound = input.params.max_latency;
+  if (bound > 0.0 && !governor) governor.emplace(bound, primitect::leastShare(input.params));
+  runDetector(detector, input, options.repeats, governor, report);
   writePointOutputs(targets, index, detector, input, report);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
   if (!targets.json.toStdout()) std::cout << tools::resultText(report, input.file.cloud, input.range) << std::flush;
@@ -114,9 +123,10 @@ int run(const tools::DetectOptions& options) {
   const Targets targets(options);
   int exit_code = kOk;
   std::vector<io::FileReport> reports;
+  Governor governor;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     try {
-      reports.push_back(processFile(options, targets, i));
+      reports.push_back(processFile(options, targets, i, governor));
     } catch (const std::invalid_argument&) {
       throw;  // parameters that contradict each other
     } catch (const std::runtime_error& error) {

@@ -58,6 +58,11 @@ std::string rowText(std::size_t number, const Detection& detection) {
   return row + (remark.empty() ? "" : "  " + remark) + "\n";
 }
 
+/// What max_latency left of the samples; empty without it.
+std::string effortText(const io::FileReport& report) {
+  return report.effort ? format(" (max_latency leaves %.0f %%)", 100.0 * *report.effort) : "";
+}
+
 /// "Why is my object missing?" in one line.
 std::string refusedText(const Refusals& refusals) {
   const std::string counts = io::refusalsText(refusals);
@@ -119,8 +124,8 @@ std::string emptyText(const Detections& found, const Cloud& whole, const DepthRa
 std::string resultText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
   const Detections& found = report.detections;
   std::string text = report.file + ": " + sizeText(whole) + ", " +
-                     format("%u points used, %u samples, scene diameter %.3g m\n", found.points_used, found.samples,
-                            found.scene_diameter);
+                     format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
+                            effortText(report).c_str(), found.scene_diameter);
   if (found.items.empty()) {
     text += "  nothing found: " + emptyText(found, whole, range) + "\n";
   } else {

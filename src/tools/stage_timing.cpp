@@ -17,14 +17,20 @@ void addTime(io::Timing& timing, const std::string& stage, double milliseconds) 
   }
 }
 
-TimedRun timeDetection(Detector& detector, const Cloud& cloud) {
+TimedRun timeDetection(Detector& detector, const Cloud& cloud, LatencyGovernor* governor) {
   io::Timing timing;
   Stopwatch total, stage;
   detector.onStageDone([&](const char* name) { addTime(timing, name, stage.lapMs()); });
+  Effort effort;
+  if (governor) {
+    governor->beginFrame();
+    effort = {governor->share(), [&] { return governor->outOfTime(1e-3 * total.elapsedMs()); }};
+  }
   total.lapMs();
   stage.lapMs();
-  const Detections& found = detector.detect(cloud);
+  const Detections& found = detector.detect(cloud, effort);
   timing.emplace_back("total", total.lapMs());
+  if (governor && found.status == Status::ok) governor->endFrame(1e-3 * timing.back().second);
   detector.onStageDone(nullptr);
   return {timing, found};
 }

@@ -9,12 +9,18 @@
 
 #include "io/report.h"
 #include "primitect/detector.h"
+#include "primitect/latency_governor.h"
 
 namespace primitect::tools {
 
 /// Milliseconds between calls.
 class Stopwatch {
  public:
+  /// Since the last lap.
+  double elapsedMs() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - last_).count();
+  }
+
   double lapMs() {
     const auto now = std::chrono::steady_clock::now();
     const double lap = std::chrono::duration<double, std::milli>(now - last_).count();
@@ -35,7 +41,8 @@ struct TimedRun {
   const Detections& found;  ///< valid until the detector's next run
 };
 
-TimedRun timeDetection(Detector& detector, const Cloud& cloud);
+/// With a governor the frame gets the effort that it allows; null: all of it.
+TimedRun timeDetection(Detector& detector, const Cloud& cloud, LatencyGovernor* governor = nullptr);
 
 /// Minimum, median and maximum of each stage over several runs.
 struct TimingSummary {

@@ -115,6 +115,24 @@ TEST_F(DetectRuns, GiveTheSameResultEveryTime) {
   EXPECT_EQ(withoutTimes(runOrdered(ball + " --repeat 3")), first) << "a used detector finds something else";
 }
 
+TEST_F(DetectRuns, UseFewerSamplesWhenTheyTakeLongerThanMaxLatency) {
+  const Json all = runOrdered(ball + kTwoRounds);
+  EXPECT_FALSE(all.contains("effort"));
+  const Json bound = runOrdered(ball + kTwoRounds + " --max_latency 1e-6 --repeat 10");  // no machine is so fast
+  EXPECT_EQ(bound["effort"], 0.25);                                                      // the least
+  EXPECT_EQ(bound["samples"], 512);                                                      // of one round
+  EXPECT_TRUE(bound["primitives"].is_array());
+  EXPECT_EQ(run(ball + kTwoRounds + " --max_latency 1e-6 --repeat 10"), 0);
+  EXPECT_NE(out.find("samples (max_latency leaves "), std::string::npos) << out;
+}
+
+TEST_F(DetectRuns, TakeAllFilesOfACallForFramesInARow) {
+  const Json all = runOrdered(ball + " " + ball + " " + ball + " --max_latency 1e-6");
+  EXPECT_EQ(all[0]["effort"], 1.0);
+  EXPECT_LT(all[2]["effort"], 1.0);
+  EXPECT_LT(all[2]["samples"], all[0]["samples"]);
+}
+
 TEST_F(DetectRuns, GiveTheSameResultForAFileAmongOthers) {
   cv::imwrite(path("image.png"), ballImage());
   const std::string lens = " --intrinsics 262.5,262.5,159.5,119.5";

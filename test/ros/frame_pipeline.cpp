@@ -85,5 +85,72 @@ TEST(FramePipeline, TellsEachStageAlsoAfterItsParametersChanged) {
   EXPECT_EQ(told[2], "normals");
 }
 
+/// Up to 0.25 m, without any order.
+float rubbleDepth(std::uint32_t i) { return 0.001f * static_cast<float>((i * 2654435761u >> 16) % 251); }
+
+/// 160 x 120 points: half of a wall, 1 m away, and beside it rubble, which keeps all rounds busy.
+PointCloud2 wallAndRubble() {
+  PointCloud2 message = test::plainCloud(160, 120);
+  for (std::uint32_t i = 0; i < 160 * 120; ++i) {
+    test::put(message, i / 160, i % 160, 0, 0.005f * (static_cast<float>(i % 160) - 79.5f));
+    test::put(message, i / 160, i % 160, 4, 0.005f * (static_cast<float>(i / 160) - 59.5f));
+    test::put(message, i / 160, i % 160, 8, 1.0f + (i % 160 < 80 ? 0.0f : rubbleDepth(i)));
+  }
+  return message;
+}
+
+std::uint32_t samplesOf(FramePipeline& pipeline, const PointCloud2& message) {
+  pipeline.times().begin();
+  const std::uint32_t samples = pipeline.process(message).samples;
+  pipeline.published();
+  return samples;
+}
+
+TEST(MaxLatency, ThatNoMachineKeepsTakesSamplesAwayUntilTheFewestAreLeft) {
+  Params params;
+  FramePipeline unbound(params);
+  const std::uint32_t all = samplesOf(unbound, wallAndRubble());
+  EXPECT_EQ(unbound.governor(), nullptr);
+  params.max_latency = 1e-9;
+  FramePipeline bound(params);
+  for (int i = 0; i < 12; ++i) EXPECT_LT(samplesOf(bound, wallAndRubble()), all) << "frame " << i;
+  // One round is all there is time for.
+  EXPECT_EQ(samplesOf(bound, wallAndRubble()), 512u);
+  ASSERT_TRUE(bound.governor());
+  EXPECT_TRUE(bound.governor()->hopeless());
+  EXPECT_EQ(bound.governor()->missed(), 13u);
+}
+
+TEST(MaxLatency, IsForgottenWhenTimeStartsAnew) {
+  Params params;
+  params.max_latency = 1e-9;
+  FramePipeline pipeline(params);
+  for (int i = 0; i < 12; ++i) samplesOf(pipeline, wallAndRubble());
+  ASSERT_LT(pipeline.governor()->share(), 1.0);
+  pipeline.startAnew();
+  EXPECT_EQ(pipeline.governor()->share(), 1.0);
+  EXPECT_EQ(pipeline.governor()->missed(), 0u);
+}
+
+TEST(MaxLatency, TakesNoNoticeOfCloudsThatAreNotSearched) {
+  Params params;
+  params.max_latency = 1e-9;
+  FramePipeline pipeline(params);
+  for (int i = 0; i < 12; ++i) samplesOf(pipeline, missing());
+  EXPECT_EQ(pipeline.governor()->share(), 1.0);
+  EXPECT_EQ(pipeline.governor()->frames(), 0u);
+}
+
+TEST(MaxLatency, IsTurnedOnAndOffWithTheParameters) {
+  Params params;
+  FramePipeline pipeline(params);
+  params.max_latency = 0.01;
+  pipeline.setParams(params);
+  ASSERT_TRUE(pipeline.governor());
+  EXPECT_EQ(pipeline.governor()->bound(), 0.01);
+  pipeline.setParams(Params());
+  EXPECT_EQ(pipeline.governor(), nullptr);
+}
+
 }  // namespace
 }  // namespace primitect

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How much effort frames may be so that they keep to a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace primitect {
+
+/// Learns from what frames took which share of the effort keeps 95 % of them within a bound. It has no clock: whoever
+/// runs the detector tells it the times, and the same times give the same shares.
+class LatencyGovernor {
+ public:
+  /// bound: what frames may take, in s, above 0. least_share: where it stops to save, in (0, 1]. It starts with all of
+  /// the effort. Throws std::invalid_argument naming a value that is not allowed.
+  LatencyGovernor(double bound, double least_share);
+
+  double bound() const { return bound_; }
+
+  /// Of the effort of the next frame.
+  double share() const { return share_; }
+
+  /// A frame begins; what was asked in one that never ended is forgotten.
+  void beginFrame();
+
+  /// Asked in the middle of a frame, always at the same places: so many seconds after its beginning, would going on
+  /// with the search miss the bound? Judged by how frames before went on from the same place.
+  bool outOfTime(double elapsed);
+
+  /// The frame is done and took so many seconds.
+  void endFrame(double seconds);
+
+  std::uint64_t frames() const { return frames_; }
+  std::uint64_t missed() const { return missed_; }  ///< frames that took longer than the bound
+
+  /// Even the least share misses the bound, twice in a row.
+  bool hopeless() const { return share_ <= least_share_ && lastTwo() > bound_; }
+
+ private:
+  /// A place in the frame where outOfTime() is asked.
+  struct Place {
+    double elapsed = 0.0;  ///< s, in this frame
+    double rest = 0.0;     ///< s, from there to the end of frames before; 0: not known yet
+  };
+
+  void learnRest(double seconds);
+  double lastTwo() const;
+  double secondLargest() const;
+  void adapt();
+  void scaleShare(double factor);
+
+  double bound_, least_share_;
+  double share_ = 1.0;
+  std::vector<double> costs_;  ///< of the last frames with this share, s
+  std::array<Place, 16> places_;
+  std::size_t asked_ = 0;    ///< places in this frame
+  double would_take_ = 0.0;  ///< s; what this frame would have taken without skipping; 0: nothing was skipped
+  std::uint64_t frames_ = 0, missed_ = 0;
+};
+
+}  // namespace primitect

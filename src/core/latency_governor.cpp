@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Down at once when the load changes, up in steps that the times so far allow, and a band between where nothing
+// changes.
+#include "primitect/latency_governor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace primitect {
+namespace {
+
+/// A new share aims at this part of the bound.
+constexpr double kAim = 0.85;
+/// Frames that the share is judged by, and how many of them may miss the bound: 5 %.
+constexpr std::size_t kFrames = 40, kMissesAllowed = 2;
+/// Frames with the same share before it may grow.
+constexpr std::size_t kFramesToGrow = 16;
+/// Less is not worth a change.
+constexpr double kLeastGrowth = 1.05;
+
+}  // namespace
+
+LatencyGovernor::LatencyGovernor(double bound, double least_share) : bound_(bound), least_share_(least_share) {
+  if (!(bound > 0.0)) throw std::invalid_argument("bound is " + std::to_string(bound) + " s, allowed: above 0");
+  if (!(0.0 < least_share && least_share <= 1.0)) {
+    throw std::invalid_argument("least share is " + std::to_string(least_share) + ", allowed: above 0, up to 1");
+  }
+  costs_.reserve(kFrames + 1);
+}
+
+void LatencyGovernor::beginFrame() {
+  asked_ = 0;
+  would_take_ = 0.0;
+}
+
+bool LatencyGovernor::outOfTime(double elapsed) {
+  // What was learned from a frame that was interrupted must not skip the search for ever.
+  constexpr double kForget = 0.98;
+  if (asked_ == places_.size()) return elapsed > bound_;
+  Place& place = places_[asked_++];
+  place.elapsed = elapsed;
+  if (elapsed + place.rest <= bound_) return false;
+  would_take_ = elapsed + place.rest;
+  place.rest *= kForget;
+  return true;
+}
+
+void LatencyGovernor::endFrame(double seconds) {
+  ++frames_;
+  if (seconds > bound_) ++missed_;
+  if (would_take_ == 0.0) learnRest(seconds);
+  if (costs_.size() == kFrames) costs_.erase(costs_.begin());
+  // A frame that kept the bound because the search was cut short asks for fewer samples all the same.
+  costs_.push_back(std::max(seconds, would_take_));
+  beginFrame();
+  adapt();
+}
+
+/// In seconds rather than in proportion: an interruption before the place says nothing about what comes after it.
+void LatencyGovernor::learnRest(double seconds) {
+  constexpr double kNew = 0.2, kMostSurprise = 1.5;
+  for (std::size_t i = 0; i < asked_; ++i) {
+    Place& place = places_[i];
+    const double rest = seconds - place.elapsed;
+    const bool first = place.rest == 0.0;
+    place.rest = first ? rest : (1.0 - kNew) * place.rest + kNew * std::min(rest, kMostSurprise * place.rest);
+  }
+}
+
+/// What both of the last two frames took at least; 0 before there are two.
+double LatencyGovernor::lastTwo() const {
+  return costs_.size() < 2 ? 0.0 : std::min(costs_[costs_.size() - 1], costs_[costs_.size() - 2]);
+}
+
+/// One frame in kFrames may be interrupted without saying anything about the others.
+double LatencyGovernor::secondLargest() const {
+  std::array<double, 2> largest;
+  std::partial_sort_copy(costs_.begin(), costs_.end(), largest.begin(), largest.end(), std::greater<double>());
+  return largest[1];
+}
+
+void LatencyGovernor::adapt() {
+  constexpr double kMostDown = 0.25, kMostUp = 2.0;
+  if (lastTwo() > bound_) return scaleShare(std::max(kMostDown, kAim * bound_ / lastTwo()));
+  const auto missed = [this](double cost) { return cost > bound_; };
+  if (std::count_if(costs_.begin(), costs_.end(), missed) > static_cast<std::ptrdiff_t>(kMissesAllowed)) {
+    return scaleShare(kAim);
+  }
+  if (costs_.size() < kFramesToGrow) return;
+  // Votes grow with the square of the share, samples times references, all else in proportion or less.
+  const double room = kAim * bound_ / secondLargest();
+  if (room > kLeastGrowth) scaleShare(std::min(kMostUp, std::sqrt(room)));
+}
+
+/// The times of another share say little about this one.
+void LatencyGovernor::scaleShare(double factor) {
+  const double share = std::clamp(share_ * factor, least_share_, 1.0);
+  if (share == share_) return;
+  for (Place& place : places_) place.rest *= share / share_;
+  share_ = share;
+  costs_.clear();
+}
+
+}  // namespace primitect

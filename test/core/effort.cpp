@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame with less than all of the effort: fewer samples, or a search that ends early, and still whole detections.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "primitect/detector.h"
+#include "test/support/scenes.h"
+
+namespace primitect {
+namespace {
+
+/// 60000 points, so that no draw comes to the end of them.
+Cloud largeTabletop() {
+  Random random(51);
+  return test::cloudOf(test::tabletop({30000, 10000, 10000, 10000}, random));
+}
+
+/// One draw.
+Params oneDraw() {
+  Params params;
+  params.rounds = 1;
+  params.closer_samples = 0;
+  return params;
+}
+
+/// Numbers that a single sample more or less would change.
+std::vector<double> numbersOf(const Detections& detections) {
+  std::vector<double> numbers = {static_cast<double>(detections.samples), detections.scene_diameter};
+  for (const Detection& item : detections.items) {
+    const Vec3 normal = normalAt(item.shape, Vec3(0.1, 0.2, 0.3));
+    numbers.insert(numbers.end(), {static_cast<double>(item.shape.index()), normal.x(), normal.y(), normal.z(),
+                                   item.votes, item.confidence, item.rms_error, item.coverage, item.radius_stddev,
+                                   static_cast<double>(item.inlier_count), item.extent.origin.x()});
+    numbers.insert(numbers.end(), item.covariance.begin(), item.covariance.end());
+  }
+  return numbers;
+}
+
+std::string stagesOf(Detector& detector, const Cloud& cloud, const Effort& effort) {
+  std::string stages;
+  detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + ", "; });
+  detector.detect(cloud, effort);
+  detector.onStageDone(nullptr);
+  return stages;
+}
+
+bool finds(const Detections& detections, Kind kind) {
+  return std::any_of(detections.items.begin(), detections.items.end(),
+                     [kind](const Detection& item) { return kindOf(item.shape) == kind; });
+}
+
+TEST(Effort, ScalesTheSamplesThatAreDrawn) {
+  const Cloud cloud = largeTabletop();
+  Detector detector(oneDraw());
+  EXPECT_EQ(detector.detect(cloud).samples, 2048u);
+  EXPECT_EQ(detector.detect(cloud, {0.5, {}}).samples, 1024u);
+  EXPECT_EQ(detector.detect(cloud, {0.3, {}}).samples, 615u);  // 614.4
+  EXPECT_EQ(detector.detect(cloud).samples, 2048u) << "it must not stay";
+}
+
+TEST(Effort, ScalesTheReferencesToo) {
+  const Cloud cloud = largeTabletop();
+  Params params = oneDraw();
+  params.verify = false;
+  params.samples = 2048;
+  params.references = 512;
+  Detector all(params);
+  const std::vector<double> half = numbersOf(all.detect(cloud, {0.5, {}}));
+  params.samples = 1024;
+  params.references = 256;
+  Detector fewer(params);
+  EXPECT_EQ(numbersOf(fewer.detect(cloud)), half);
+  params.references = 512;
+  Detector more_references(params);
+  EXPECT_NE(numbersOf(more_references.detect(cloud)), half);
+}
+
+TEST(Effort, ScalesTheCloserLook) {
+  const Cloud cloud = largeTabletop();
+  Params params = oneDraw();
+  params.closer_samples = 1000;
+  Detector detector(params);
+  EXPECT_EQ(detector.detect(cloud, {0.5, {}}).samples, 1024u + 500u);
+}
+
+TEST(Effort, LeavesEnoughSamplesToMeasureTheNoise) {
+  Params params = oneDraw();
+  EXPECT_EQ(leastShare(params), 0.25);
+  Detector detector(params);
+  EXPECT_EQ(detector.detect(largeTabletop(), {1e-6, {}}).samples, 512u);
+  params.samples = 64;
+  EXPECT_EQ(leastShare(params), 1.0) << "few samples are not made fewer";
+}
+
+/// A wall, and before it a ball that gets a fiftieth of the samples: 40 of 2048, 20 of 1024.
+Cloud wallAndSmallBall() {
+  Random random(53);
+  const Plane wall = {Vec3(0, 0, 1.5), Vec3(0, 0, -1)};
+  return test::cloudOf(
+      test::together(test::patchOf(wall, 58800, 0.5, random), test::patchOf(test::kBall, 1200, random)));
+}
+
+TEST(Effort, FindsWithFewerSamplesWhatIsAsSmall) {
+  Params params = oneDraw();
+  Detector detector(params);
+  EXPECT_TRUE(finds(detector.detect(wallAndSmallBall()), Kind::sphere));
+  EXPECT_TRUE(finds(detector.detect(wallAndSmallBall(), {0.5, {}}), Kind::sphere));
+  params.samples = 1024;
+  params.references = 256;
+  Detector as_strict(params);
+  EXPECT_FALSE(finds(as_strict.detect(wallAndSmallBall()), Kind::sphere)) << "that is what min_inliers says";
+}
+
+TEST(Effort, LeavesALowMinInliersAlone) {
+  Params params = oneDraw();
+  params.min_inliers = 5;
+  params.samples = 1024;
+  params.references = 256;
+  Detector fewer(params);
+  const std::vector<double> expected = numbersOf(fewer.detect(wallAndSmallBall()));
+  params.samples = 2048;
+  params.references = 512;
+  Detector detector(params);
+  EXPECT_EQ(numbersOf(detector.detect(wallAndSmallBall(), {0.5, {}})), expected);
+}
+
+TEST(Effort, FindsTheFourShapesWithHalfOfIt) {
+  Detector detector{Params()};
+  const Detections half = detector.detect(largeTabletop(), {0.5, {}});
+  for (const Kind kind : {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone}) {
+    EXPECT_TRUE(finds(half, kind)) << kindName(kind);
+  }
+}
+
+TEST(Effort, OfAllGivesTheBitsOfNone) {
+  const Cloud cloud = largeTabletop();
+  Detector detector{Params()};
+  const std::vector<double> without = numbersOf(detector.detect(cloud));
+  ASSERT_GT(without.size(), 100u);
+  EXPECT_EQ(numbersOf(detector.detect(cloud, {1.0, {}})), without);
+  EXPECT_EQ(numbersOf(detector.detect(cloud, {1.0, [] { return false; }})), without);
+  EXPECT_NE(numbersOf(detector.detect(cloud, {0.9, {}})), without);
+  EXPECT_EQ(numbersOf(detector.detect(cloud)), without);
+}
+
+TEST(OutOfTime, SkipsTheRestOfTheSearchAndStillMeasures) {
+  const Cloud cloud = largeTabletop();
+  Detector detector{Params()};
+  EXPECT_EQ(stagesOf(detector, cloud, {1.0, [] { return true; }}),
+            "sample, normals, vote, segment, look closer, measure, ");
+  const Detections first_round = detector.detect(cloud, {1.0, [] { return true; }});
+  EXPECT_EQ(first_round.samples, 2048u);
+  ASSERT_TRUE(finds(first_round, Kind::plane));
+  for (const Detection& item : first_round.items) {
+    EXPECT_GE(item.confidence, Params().min_confidence);
+    EXPECT_GT(item.covariance[0], 0.0);
+    EXPECT_GT(item.coverage, 0.0f);
+  }
+}
+
+TEST(OutOfTime, IsAskedBeforeEachLaterRoundAndTheCloserLook) {
+  Params params;
+  params.rounds = 3;
+  Detector detector(params);
+  // Noise leaves something for every round.
+  Random random(52);
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 9000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
+  int asked = 0;
+  detector.detect(test::cloudOf(points), {1.0, [&asked] { return ++asked, false; }});
+  EXPECT_EQ(asked, 3);
+  asked = 0;
+  const Detections found = detector.detect(test::cloudOf(points), {1.0, [&asked] { return ++asked == 2; }});
+  EXPECT_EQ(asked, 2) << "it is asked no more when it said that there is no time";
+  EXPECT_EQ(found.samples, 2u * 2048u) << "two rounds, no closer look";
+}
+
+TEST(Effort, IsRefusedWhenItIsNoShare) {
+  Detector detector{Params()};
+  for (const double share : {0.0, -1.0, 1.01, std::nan("")}) {
+    EXPECT_THROW(detector.detect(largeTabletop(), {share, {}}), std::invalid_argument) << share;
+  }
+}
+
+}  // namespace
+}  // namespace primitect
