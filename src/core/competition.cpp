@@ -61,7 +61,7 @@ int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std:
   // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
   // below what few samples can tell.
   constexpr double kSmallStep = 0.005;  // of the noise
-  const RefineRules refine_rules = {rules.widen, 2, 6, kSmallStep * points.meanSigma()};
+  const RefineRules refine_rules = {rules.widen, 2, 10, kSmallStep * points.meanSigma()};
   int refused = 0;
   Hypothesis trial;
   trial.votes = hypothesis.votes;

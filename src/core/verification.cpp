@@ -71,7 +71,10 @@ void Verification::propose(const std::vector<Candidate>& candidates) {
   proposer_.propose(samples_, graph_, candidates, rules(), pool_, refusals_);
 }
 
-void Verification::settle() { select(); }
+void Verification::settle() {
+  select();
+  refit(1);
+}
 
 std::vector<std::uint32_t> Verification::unexplained() {
   const HeldGains held = heldByChosen();

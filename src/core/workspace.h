@@ -173,7 +173,7 @@ struct Detector::Workspace {
   }
 
   std::size_t batches() const {
-    constexpr std::size_t kBatch = 64;  // references
+    constexpr std::size_t kBatch = 256;  // references
     return (voting.references() + kBatch - 1) / kBatch;
   }
 
