@@ -71,10 +71,7 @@ void Verification::propose(const std::vector<Candidate>& candidates) {
   proposer_.propose(samples_, graph_, candidates, rules(), pool_, refusals_);
 }
 
-void Verification::settle() {
-  select();
-  refit(1);
-}
+void Verification::settle() { select(); }
 
 std::vector<std::uint32_t> Verification::unexplained() {
   const HeldGains held = heldByChosen();

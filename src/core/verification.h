@@ -45,7 +45,7 @@ class Verification {
   /// Candidates of such references, strongest first.
   void propose(const std::vector<Candidate>& candidates);
 
-  /// Selects from all that was proposed.
+  /// Selects from all that was proposed, as it was proposed: fits again have time until conclude().
   void settle();
 
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
