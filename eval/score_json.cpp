@@ -63,7 +63,8 @@ std::array<float, kEvidenceNames.size()> evidenceNumbers(const Evidence& e) {
   return {e.inliers, e.gain, e.against, e.runs_on, e.runs_into, e.border_residual, e.turn, e.lead};
 }
 
-/// Confidence, evidence and normalised errors only where the method tells them.
+/// Confidence, evidence and normalised errors only where the method tells them, these not where the truth is rougher
+/// than the error that they are to judge.
 Json detectionsJson(const LabelledCloud& input, const Answer& answer, const CaseScore& score) {
   Json json = Json::array();
   for (std::size_t d = 0; d < answer.shapes.size(); ++d) {
@@ -76,7 +77,7 @@ Json detectionsJson(const LabelledCloud& input, const Answer& answer, const Case
         entry["confidence"] = detection.confidence;
         entry["evidence"] = evidenceNumbers(detection.evidence);
       }
-      if (score.verdicts[d] == Verdict::right) {
+      if (score.verdicts[d] == Verdict::right && input.truth[score.true_shape[d]].exact) {
         const Json nees = neesJson(kind, normalisedErrors(input.truth[score.true_shape[d]].shape, detection));
         if (!nees.empty()) entry["nees"] = nees;
       }
