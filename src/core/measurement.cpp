@@ -30,18 +30,20 @@ Shape Measurement::fitted(const Shape& shape, const SeenPoints& points) const {
   return limits_.hold(unbiased) ? unbiased : fit;
 }
 
-Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled) const {
-  SeenPoints points;
+Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled,
+                          const std::vector<std::uint32_t>& clear) const {
+  SeenPoints points, clear_points;
   points.gather(cloud_, labelled.index);
+  clear_points.gather(cloud_, clear);
   Detection measured = detection;
-  measured.shape = canonical(fitted(detection.shape, points));
+  measured.shape = canonical(fitted(detection.shape, clear_points));
   measured.extent = measureExtent(measured.shape, points);
   measured.inlier_count = static_cast<std::uint32_t>(labelled.all);
   measured.rms_error = rmsDistance(measured.shape, points);
   measured.coverage = measureCoverage(measured.shape, measured.extent, points);
   measured.truncated = truncation_.find(measured.shape, measured.extent, labelled.index);
-  const double shared = measureSharedNoise(measured.shape, points, sigma_);
-  const Uncertainty uncertainty = measureUncertainty(measured.shape, measured.extent, points, sigma_, shared);
+  const double shared = measureSharedNoise(measured.shape, clear_points, sigma_);
+  const Uncertainty uncertainty = measureUncertainty(measured.shape, measured.extent, clear_points, sigma_, shared);
   measured.covariance = uncertainty.pose;
   measured.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   measured.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
