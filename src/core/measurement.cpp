@@ -3,10 +3,13 @@
 // Putting the measures of a detection together; see measurement.h.
 #include "core/measurement.h"
 
+#include <optional>
+
 #include "core/bias.h"
 #include "core/covariance.h"
 #include "core/coverage.h"
 #include "core/extent.h"
+#include "core/fitting.h"
 #include "core/shared_noise.h"
 
 namespace primitect {
@@ -21,12 +24,16 @@ DepthRange rangeOf(const Params& params) {
 Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
     : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
 
-Shape Measurement::fitted(const Shape& shape, const SeenPoints& points) const {
-  FitPoints fit_points;
-  fit_points.gather(points, noise_);
-  const Shape fit = refineOnPoints(shape, fit_points, limits_);
+Shape Measurement::fitted(const Shape& shape, const SeenPoints& all, const SeenPoints& clear) const {
+  // What a cylinder and a cone that tapers little differ in grows with the length that was seen: all points choose.
+  FitPoints points;
+  points.gather(all, noise_);
+  const Shape chosen = refineOnPoints(shape, points, limits_);
+  points.gather(clear, noise_);
+  const std::optional<Shape> refined = refine(chosen, points);
+  const Shape fit = refined && limits_.hold(*refined) ? *refined : chosen;
   const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
-  const Shape unbiased = withoutBias(fit, points, sigma_, direction);
+  const Shape unbiased = withoutBias(fit, clear, sigma_, direction);
   return limits_.hold(unbiased) ? unbiased : fit;
 }
 
@@ -36,7 +43,7 @@ Detection Measurement::of(const Detection& detection, const LabelledPoints& labe
   points.gather(cloud_, labelled.index);
   clear_points.gather(cloud_, clear);
   Detection measured = detection;
-  measured.shape = canonical(fitted(detection.shape, clear_points));
+  measured.shape = canonical(fitted(detection.shape, points, clear_points));
   measured.extent = measureExtent(measured.shape, points);
   measured.inlier_count = static_cast<std::uint32_t>(labelled.all);
   measured.rms_error = rmsDistance(measured.shape, points);

@@ -25,7 +25,7 @@ class Measurement {
   Detection of(const Detection& detection, const LabelledPoints& points, const std::vector<std::uint32_t>& clear) const;
 
  private:
-  Shape fitted(const Shape& shape, const SeenPoints& points) const;
+  Shape fitted(const Shape& shape, const SeenPoints& all, const SeenPoints& clear) const;
 
   const Cloud& cloud_;
   NoiseModel noise_;
