@@ -38,15 +38,45 @@ bool enough(std::size_t some, std::size_t all) {
   return some >= kFewest && kLeastPart * some >= all;
 }
 
-/// From a pixel to those around it.
-struct Ring {
-  std::array<int, 8> right, down;
-
-  explicit Ring(int radius) {
+/// The pixels around a pixel.
+class Ring {
+ public:
+  Ring(int radius, std::uint32_t width) {
     const int slanted = static_cast<int>(std::lround(radius * M_SQRT1_2));
-    right = {radius, slanted, 0, -slanted, -radius, -slanted, 0, slanted};
-    down = {0, slanted, radius, slanted, 0, -slanted, -radius, -slanted};
+    right_ = {radius, slanted, 0, -slanted, -radius, -slanted, 0, slanted};
+    down_ = {0, slanted, radius, slanted, 0, -slanted, -radius, -slanted};
+    for (std::size_t k = 0; k < kCount; ++k) step_[k] = static_cast<std::ptrdiff_t>(down_[k]) * width + right_[k];
   }
+
+  /// Whether measured ones have other labels than this; the border of the image is none of the surface, and nothing
+  /// speaks against what was not measured.
+  bool meetsOther(std::uint32_t label, const Cloud& cloud, const std::vector<std::uint32_t>& labels,
+                  std::uint32_t pixel) const {
+    const int width = static_cast<int>(cloud.width), height = static_cast<int>(cloud.height);
+    const int column = static_cast<int>(pixel % cloud.width), row = static_cast<int>(pixel / cloud.width);
+    const bool inside = right_[0] <= column && column < width - right_[0] && down_[2] <= row && row < height - down_[2];
+    // Most are far from any border: no more is asked of them.
+    if (inside && allAre(label, labels.data() + pixel)) return false;
+    for (std::size_t k = 0; k < kCount; ++k) {
+      const int c = column + right_[k], r = row + down_[k];
+      if (c < 0 || c >= width || r < 0 || r >= height) continue;
+      const std::size_t at = pixel + static_cast<std::size_t>(step_[k]);
+      if (labels[at] != label && cloud.valid(at)) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kCount = 8;
+
+  bool allAre(std::uint32_t label, const std::uint32_t* here) const {
+    std::uint32_t different = 0;
+    for (std::size_t k = 0; k < kCount; ++k) different |= here[step_[k]] ^ label;
+    return different == 0;
+  }
+
+  std::array<int, kCount> right_, down_;     ///< columns and rows
+  std::array<std::ptrdiff_t, kCount> step_;  ///< places in the cloud
 };
 
 /// In pixels the noise of a depth camera reaches about equally far from 0.5 to 1.5 m: three standard deviations are 3
@@ -115,21 +145,11 @@ ClearPoints::ClearPoints(const Cloud& cloud, const std::vector<Detection>& detec
 
 std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
                                                    const std::vector<std::uint32_t>& points) const {
-  const Ring ring(ringRadius(cloud_));
-  const int width = static_cast<int>(cloud_.width), height = static_cast<int>(cloud_.height);
-  const auto isStranger = [&](int column, int row) {
-    if (column < 0 || row < 0 || column >= width || row >= height) return false;
-    const std::size_t i = static_cast<std::size_t>(row) * cloud_.width + static_cast<std::size_t>(column);
-    return labels_[i] != label && cloud_.valid(i);  // nothing speaks against what was not measured
-  };
+  const Ring ring(ringRadius(cloud_), cloud_.width);
   std::vector<std::uint32_t> result;
+  result.reserve(points.size());
   for (const std::uint32_t i : points) {
-    const int column = static_cast<int>(i) % width, row = static_cast<int>(i) / width;
-    bool clear = true;
-    for (std::size_t k = 0; clear && k < ring.right.size(); ++k) {
-      clear = !isStranger(column + ring.right[k], row + ring.down[k]);
-    }
-    if (clear) result.push_back(i);
+    if (!ring.meetsOther(label, cloud_, labels_, i)) result.push_back(i);
   }
   return result;
 }

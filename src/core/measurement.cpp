@@ -25,13 +25,16 @@ Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseMo
     : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape, const SeenPoints& all, const SeenPoints& clear) const {
-  // What a cylinder and a cone that tapers little differ in grows with the length that was seen: all points choose.
   FitPoints points;
-  points.gather(all, noise_);
-  const Shape chosen = refineOnPoints(shape, points, limits_);
+  Shape start = shape;
+  if (kindOf(shape) == Kind::cylinder || kindOf(shape) == Kind::cone) {
+    // What tells one from the other grows with the length that was seen, of which clear points lack both ends.
+    points.gather(all, noise_);
+    start = refineOnPoints(shape, points, limits_);
+  }
   points.gather(clear, noise_);
-  const std::optional<Shape> refined = refine(chosen, points);
-  const Shape fit = refined && limits_.hold(*refined) ? *refined : chosen;
+  const std::optional<Shape> refined = refine(start, points);
+  const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
   const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape unbiased = withoutBias(fit, clear, sigma_, direction);
   return limits_.hold(unbiased) ? unbiased : fit;
