@@ -15,20 +15,23 @@
 namespace primitect {
 
 /// Takes their label (index + 1 of a detection) from points of curved shapes that lie on the side which a camera at the
-/// origin cannot see: a wall as thin as the noise is seen from inside there.
-void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, std::vector<std::uint32_t>& labels);
+/// origin cannot see: a wall as thin as the noise is seen from inside there. Returns the labels that were taken, of
+/// each point; empty when none was.
+std::vector<std::uint32_t> dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+                                        std::vector<std::uint32_t>& labels);
 
 /// Of one frame. Labels go by distance alone: within the noise of a shape lie also points of what it touches, and where
 /// two shapes meet, noise decides to which a point is given. Few as they are, such points all err to the same side, and
 /// thousands of others do not average that away.
 class ClearPoints {
  public:
-  /// All must stay; `labels` are those of the detections, as dropFarSides() leaves them.
+  /// All must stay; `labels` are those of the detections, as dropFarSides() leaves them, `far_sides` what it took.
   ClearPoints(const Cloud& cloud, const std::vector<Detection>& detections, const std::vector<std::uint32_t>& labels,
-              const NoiseModel& noise);
+              const std::vector<std::uint32_t>& far_sides, const NoiseModel& noise);
 
   /// Those of a detection's points (indices in the cloud)
-  ///   organized cloud      that are surrounded by others of the same label, as far as the noise reaches
+  ///   organized cloud      that are surrounded by others of the same label, as far as the noise reaches, and not
+  ///                        on the rim of a wall whose inside is seen, too
   ///   unorganized cloud    whose place on the surface is far from all other detections, beyond the noise,
   ///                        and whose own normal, if it has one, is about the surface's
   /// all of them where too few would be left.
@@ -41,6 +44,7 @@ class ClearPoints {
   const Cloud& cloud_;
   const std::vector<Detection>& detections_;
   const std::vector<std::uint32_t>& labels_;
+  const std::vector<std::uint32_t>& far_sides_;
   NoiseModel noise_;
   std::vector<ObservedPart> parts_;  ///< of the detections of an unorganized cloud
 };

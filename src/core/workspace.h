@@ -185,9 +185,10 @@ struct Detector::Workspace {
     constexpr std::size_t kMostPoints = 24576, kMostPixels = 8192;
     const std::size_t most = verification.noise().depth_share > 0.0 ? kMostPixels : kMostPoints;
     labeling.label(result.items, tolerance, labels);
-    if (verification.noise().depth_share > 0.0) dropFarSides(cloud, result.items, labels);
+    std::vector<std::uint32_t> far_sides;
+    if (verification.noise().depth_share > 0.0) far_sides = dropFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, result.items.size(), most, points);
-    const ClearPoints clear(cloud, result.items, labels, verification.noise());
+    const ClearPoints clear(cloud, result.items, labels, far_sides, verification.noise());
     const Measurement measurement(cloud, params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
     for (std::size_t k = 0; k < result.items.size(); ++k) {

@@ -46,7 +46,7 @@ struct TwoHalves {
   static constexpr std::uint32_t kWidth = 64, kHeight = 48;
   Random random{1};
   Cloud cloud;
-  std::vector<std::uint32_t> labels, of_left;
+  std::vector<std::uint32_t> labels, far_sides, of_left;
   std::vector<Detection> detections = {seen(kFloor, test::patchOf(kFloor, 100, 0.1, random)),
                                        seen(kFloor, test::patchOf(kFloor, 100, 0.1, random))};
 
@@ -58,7 +58,9 @@ struct TwoHalves {
       if (labels.back() == 1) of_left.push_back(i);
     }
   }
-  std::vector<std::uint32_t> clear() const { return ClearPoints(cloud, detections, labels, kModel).of(0, of_left); }
+  std::vector<std::uint32_t> clear() const {
+    return ClearPoints(cloud, detections, labels, far_sides, kModel).of(0, of_left);
+  }
 };
 
 TEST(ClearPoints, OfAnImageAreTwoPixelsOrMoreFromOtherLabels) {
@@ -79,6 +81,18 @@ TEST(ClearPoints, OfAnImageMayBeBesidePixelsThatWereNotMeasured) {
   EXPECT_TRUE(contains(halves.clear(), beside));
 }
 
+TEST(ClearPoints, OfAWallSeenFromBothSidesAreFourPixelsOrMoreFromItsInside) {
+  TwoHalves halves;
+  halves.far_sides.assign(halves.labels.size(), 0);
+  for (std::size_t i = 0; i < halves.labels.size(); ++i) {
+    if (halves.labels[i] == 2) halves.labels[i] = 0, halves.far_sides[i] = 1;
+  }
+  const std::vector<std::uint32_t> clear = halves.clear();
+  const std::uint32_t row = 20 * TwoHalves::kWidth, border = row + TwoHalves::kWidth / 2;
+  EXPECT_FALSE(contains(clear, border - 4));
+  EXPECT_TRUE(contains(clear, border - 5));
+}
+
 TEST(ClearPoints, AreAllWhereFewWouldBeLeft) {
   TwoHalves halves;
   // A checkerboard leaves nothing.
@@ -93,7 +107,7 @@ struct BallOnFloor {
   std::vector<SurfacePoint> points;
   Cloud cloud;
   std::vector<Detection> detections;
-  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> labels, far_sides;
   static constexpr std::size_t kCount = 2000;
 
   BallOnFloor() {
@@ -106,7 +120,7 @@ struct BallOnFloor {
     labels.resize(2 * kCount, 2);
   }
   std::vector<std::uint32_t> clearOfFloor() const {
-    return ClearPoints(cloud, detections, labels, kModel).of(0, upTo(kCount));
+    return ClearPoints(cloud, detections, labels, far_sides, kModel).of(0, upTo(kCount));
   }
 };
 
@@ -172,8 +186,9 @@ struct WholeBall {
 TEST(FarSides, LoseTheirLabels) {
   for (const bool concave : {false, true}) {
     WholeBall ball(concave);
-    dropFarSides(ball.cloud, ball.detections, ball.labels);
+    const std::vector<std::uint32_t> taken = dropFarSides(ball.cloud, ball.detections, ball.labels);
     for (std::size_t i = 0; i < ball.labels.size(); ++i) {
+      EXPECT_EQ(taken[i], 1 - ball.labels[i]);
       EXPECT_EQ(ball.labels[i] == 1, ball.faces_camera[i] != concave) << concave << " " << i;
     }
   }
@@ -182,7 +197,7 @@ TEST(FarSides, LoseTheirLabels) {
 TEST(FarSides, AreNotTakenFromPlanes) {
   TwoHalves halves;
   const std::vector<std::uint32_t> before = halves.labels;
-  dropFarSides(halves.cloud, halves.detections, halves.labels);
+  EXPECT_TRUE(dropFarSides(halves.cloud, halves.detections, halves.labels).empty());
   EXPECT_EQ(halves.labels, before);
 }
 
