@@ -14,18 +14,13 @@
 
 namespace primitect {
 
-/// Takes their label (index + 1 of a detection) from points of curved shapes that lie on the side which a camera at the
-/// origin cannot see: a wall as thin as the noise is seen from inside there. Returns the labels that were taken, of
-/// each point; empty when none was.
-std::vector<std::uint32_t> dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
-                                        std::vector<std::uint32_t>& labels);
-
 /// Of one frame. Labels go by distance alone: within the noise of a shape lie also points of what it touches, and where
 /// two shapes meet, noise decides to which a point is given. Few as they are, such points all err to the same side, and
 /// thousands of others do not average that away.
 class ClearPoints {
  public:
-  /// All must stay; `labels` are those of the detections, as dropFarSides() leaves them, `far_sides` what it took.
+  /// All must stay; `labels` are those of the detections, as dropFarSides() (far_sides.h) leaves them, `far_sides` what
+  /// it took.
   ClearPoints(const Cloud& cloud, const std::vector<Detection>& detections, const std::vector<std::uint32_t>& labels,
               const std::vector<std::uint32_t>& far_sides, const NoiseModel& noise);
 

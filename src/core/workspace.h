@@ -13,6 +13,7 @@
 #include "core/clustering.h"
 #include "core/dense_fit.h"
 #include "core/extent.h"
+#include "core/far_sides.h"
 #include "core/labeling.h"
 #include "core/measurement.h"
 #include "core/neighbors.h"

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/extent.h"
+#include "core/far_sides.h"
 #include "test/support/exact_shapes.h"
 #include "test/support/noisy_points.h"
 
