@@ -15,7 +15,7 @@ namespace primitect {
 namespace {
 
 /// Points that are looked at together.
-constexpr std::size_t kAtOnce = 256;
+constexpr std::size_t kAtOnce = 128;
 
 /// With fewer points the fit would lose more than it is spoilt by the others.
 bool enough(std::size_t some, std::size_t all) {
@@ -36,6 +36,7 @@ class Ring {
   /// Whether some have this label.
   bool meets(std::uint32_t label, const Cloud& cloud, const std::vector<std::uint32_t>& labels,
              std::uint32_t pixel) const {
+    if (inside(cloud, pixel)) return someAre(label, labels.data() + pixel);
     bool met = false;
     forAll(cloud, pixel, [&](std::size_t at) { met = met || labels[at] == label; });
     return met;
@@ -80,6 +81,12 @@ class Ring {
     return different == 0;
   }
 
+  bool someAre(std::uint32_t label, const std::uint32_t* here) const {
+    std::uint32_t same = 0;
+    for (std::size_t k = 0; k < kCount; ++k) same |= here[step_[k]] == label ? 1u : 0u;
+    return same != 0;
+  }
+
   std::array<int, kCount> right_, down_;     ///< columns and rows
   std::array<std::ptrdiff_t, kCount> step_;  ///< places in the cloud
 };
@@ -95,6 +102,20 @@ struct Places {
   float x[kAtOnce], y[kAtOnce], z[kAtOnce];
   float reach[kAtOnce];  ///< m
   bool clear[kAtOnce];
+  float middle[3], radius;  ///< of a ball that holds all, enlarged by what they reach (m)
+
+  void findBall() {
+    float low[3], high[3];
+    const float* const values[] = {x, y, z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto ends = std::minmax_element(values[axis], values[axis] + count);
+      low[axis] = *ends.first, high[axis] = *ends.second;
+      middle[axis] = 0.5f * (low[axis] + high[axis]);
+    }
+    constexpr float kRounding = 1.001f;
+    radius = kRounding * (0.5f * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) +
+                          *std::max_element(reach, reach + count));
+  }
 };
 
 /// The places of points on the surface, which noise across it does not move: to leave out points by where they
@@ -123,6 +144,9 @@ void findPlaces(const Cloud& cloud, const Detection& detection, const NoiseModel
 /// Those within reach of another detection's observed part are not clear.
 void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Places& places) {
   float distance[kAtOnce], depth[kAtOnce];
+  const float* const middle = places.middle;
+  kernels::loops().distances(shape, middle, middle + 1, middle + 2, 1, distance);
+  if (std::fabs(distance[0]) > places.radius) return;
   kernels::loops().distances(shape, places.x, places.y, places.z, places.count, distance);
   kernels::loops().depths(part.view(), places.x, places.y, places.z, places.count, depth);
   for (std::size_t k = 0; k < places.count; ++k) {
@@ -137,6 +161,9 @@ ClearPoints::ClearPoints(const Cloud& cloud, const std::vector<Detection>& detec
                          const std::vector<std::uint32_t>& labels, const std::vector<std::uint32_t>& far_sides,
                          const NoiseModel& noise)
     : cloud_(cloud), detections_(detections), labels_(labels), far_sides_(far_sides), noise_(noise) {
+  for (const std::uint32_t label : far_sides) {
+    if (label > 0 && (with_far_side_.empty() || with_far_side_.back() != label)) with_far_side_.push_back(label);
+  }
   if (cloud.organized()) return;
   for (const Detection& detection : detections) parts_.emplace_back(detection.shape, detection.extent);
 }
@@ -148,7 +175,7 @@ std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
   constexpr int kRim = 2;
   const int radius = ringRadius(cloud_);
   const Ring ring(radius, cloud_.width), wide(kRim * radius, cloud_.width);
-  const bool has_far_side = std::find(far_sides_.begin(), far_sides_.end(), label) != far_sides_.end();
+  const bool has_far_side = std::find(with_far_side_.begin(), with_far_side_.end(), label) != with_far_side_.end();
   std::vector<std::uint32_t> result;
   result.reserve(points.size());
   for (const std::uint32_t i : points) {
@@ -166,6 +193,7 @@ std::vector<std::uint32_t> ClearPoints::apart(std::size_t detection, const std::
   for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
     places.count = std::min(kAtOnce, points.size() - begin);
     findPlaces(cloud_, detections_[detection], noise_, points.data() + begin, places);
+    places.findBall();
     for (std::size_t other = 0; other < shapes.size(); ++other) {
       if (other != detection) leaveOutNear(shapes[other], parts_[other], places);
     }

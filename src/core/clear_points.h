@@ -40,6 +40,7 @@ class ClearPoints {
   const std::vector<Detection>& detections_;
   const std::vector<std::uint32_t>& labels_;
   const std::vector<std::uint32_t>& far_sides_;
+  std::vector<std::uint32_t> with_far_side_;  ///< labels, some of them more than once
   NoiseModel noise_;
   std::vector<ObservedPart> parts_;  ///< of the detections of an unorganized cloud
 };
