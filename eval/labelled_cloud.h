@@ -18,6 +18,8 @@ struct TrueShape {
   bool concave = false;  ///< seen from inside
   /// False: found or not, it counts neither way (too few pixels, or concave where convex shapes are asked for).
   bool must = true;
+  /// False: it stands for several surfaces that are nearly the same, and its numbers are those of one of them.
+  bool exact = true;
 };
 
 constexpr int kNoShape = -1, kClutter = -2;

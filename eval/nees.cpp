@@ -64,7 +64,9 @@ PoseError poseError(const Cone& truth, const Cone& found, const Vec3& origin) {
 std::optional<NormalisedError> normalised(const Matrix6& covariance, const Vector6& error,
                                           const Eigen::Matrix<double, 6, Eigen::Dynamic>& directions) {
   if (directions.cols() == 0) return std::nullopt;
-  const Eigen::MatrixXd part = directions.transpose() * covariance * directions;
+  // With more digits, as variances of 1e6 cancel out.
+  const auto exactly = directions.cast<long double>().eval();
+  const Eigen::MatrixXd part = (exactly.transpose() * covariance.cast<long double>() * exactly).cast<double>();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(part);
   const Eigen::VectorXd along = solver.eigenvectors().transpose() * (directions.transpose() * error);
   NormalisedError result;

@@ -3,6 +3,7 @@
 // Scores to JSON; see score_json.h.
 #include "eval/score_json.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -63,6 +64,19 @@ std::array<float, kEvidenceNames.size()> evidenceNumbers(const Evidence& e) {
   return {e.inliers, e.gain, e.against, e.runs_on, e.runs_into, e.border_residual, e.turn, e.lead};
 }
 
+/// Whether its errors tell something about its covariance: not when the truth is rougher than these, nor when it is
+/// another true shape that the detection is nearest to. Two planes a centimetre apart are the same for the scores.
+bool isJudged(const LabelledCloud& input, int true_shape, const Detection& detection) {
+  const Kind kind = kindOf(detection.shape);
+  const auto errorOf = [&](const Shape& truth) { return normalisedErrors(truth, detection).total(kind); };
+  const auto error = errorOf(input.truth[true_shape].shape);
+  const auto isNearer = [&](const TrueShape& other) {
+    const auto other_error = kindOf(other.shape) == kind ? errorOf(other.shape) : std::nullopt;
+    return other_error && other_error->value < error->value;
+  };
+  return input.truth[true_shape].exact && error && std::none_of(input.truth.begin(), input.truth.end(), isNearer);
+}
+
 /// Confidence, evidence and normalised errors only where the method tells them.
 Json detectionsJson(const LabelledCloud& input, const Answer& answer, const CaseScore& score) {
   Json json = Json::array();
@@ -76,7 +90,7 @@ Json detectionsJson(const LabelledCloud& input, const Answer& answer, const Case
         entry["confidence"] = detection.confidence;
         entry["evidence"] = evidenceNumbers(detection.evidence);
       }
-      if (score.verdicts[d] == Verdict::right) {
+      if (score.verdicts[d] == Verdict::right && isJudged(input, score.true_shape[d], detection)) {
         const Json nees = neesJson(kind, normalisedErrors(input.truth[score.true_shape[d]].shape, detection));
         if (!nees.empty()) entry["nees"] = nees;
       }

@@ -41,6 +41,14 @@ std::size_t indexOfSamePlane(const Detection& item, const std::vector<TrueShape>
   return std::find_if(truth.begin(), truth.end(), same) - truth.begin();
 }
 
+/// A tenth of the error that thousands of points leave, over the face.
+bool isSame(const Detection& item, const Shape& shape) {
+  constexpr double kFarther = 1e-5;  // m
+  const Extent& extent = item.extent;
+  return std::all_of(extent.hull.begin(), extent.hull.end(),
+                     [&](const Vec3& corner) { return std::abs(distance(shape, corner)) < kFarther; });
+}
+
 /// The truth in order of its surfaces, also of those that need not be found; surfaces get its index as label.
 void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) {
   constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
@@ -57,6 +65,8 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
     if (t == result.truth.size()) {
       result.truth.push_back({item.shape, item.concave});
       pixels.push_back(0);
+    } else if (!isSame(item, result.truth[t].shape)) {
+      result.truth[t].exact = false;
     }
     pixels[t] += item.inlier_count;
     result.truth[t].must = pixels[t] >= kLeastPixels && !item.concave;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/flat_gradients.h"
 
@@ -91,6 +92,10 @@ Hessian capped(const Hessian& covariance) {
   }
   return scale.asDiagonal() * covariance * scale.asDiagonal();
 }
+
+/// Beside kUnobservable, a double has no digits for less: a large plane, known to a hundredth of a millimetre, would
+/// come out with any variance, also a negative one. (0.02 mm, 0.02 mrad)^2.
+constexpr double kRounding = 2.0 * kUnobservable * std::numeric_limits<double>::epsilon();
 
 /// Nothing is known about a shape without points.
 Hessian unknown(int parameters) {
@@ -194,7 +199,7 @@ Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const S
   const Hessian local = measureCovariance(shape, inliers, sigma, shared_noise);
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   const Hessian observed = published.jacobian * local * published.jacobian.transpose();
-  const Hessian pose = capped(observed) + published.unobservable;
+  const Hessian pose = capped(observed) + published.unobservable + kRounding * Hessian::Identity();
   Uncertainty uncertainty;
   Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(uncertainty.pose.data()) = 0.5 * (pose + pose.transpose());
   uncertainty.radius_stddev = std::sqrt(std::max(published.radius.dot(local * published.radius), 0.0));

@@ -20,11 +20,12 @@ class Measurement {
  public:
   Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits);
 
-  /// The detection with its shape fitted to these points, and all that follows from the fit.
-  Detection of(const Detection& detection, const LabelledPoints& points) const;
+  /// The detection with its shape fitted to the clear ones of these points (clear_points.h), and all that follows from
+  /// the fit.
+  Detection of(const Detection& detection, const LabelledPoints& points, const std::vector<std::uint32_t>& clear) const;
 
  private:
-  Shape fitted(const Shape& shape, const SeenPoints& points) const;
+  Shape fitted(const Shape& shape, const SeenPoints& all, const SeenPoints& clear) const;
 
   const Cloud& cloud_;
   NoiseModel noise_;

@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/clear_points.h"
 #include "core/clustering.h"
 #include "core/dense_fit.h"
 #include "core/extent.h"
+#include "core/far_sides.h"
 #include "core/labeling.h"
 #include "core/measurement.h"
 #include "core/neighbors.h"
@@ -254,12 +256,15 @@ struct Detector::Workspace {
     constexpr std::size_t kMostPoints = 24576, kMostPixels = 8192;
     const std::size_t most = verification.noise().depth_share > 0.0 ? kMostPixels : kMostPoints;
     labeling.label(result.items, tolerance, labels);
+    std::vector<std::uint32_t> far_sides;
+    if (verification.noise().depth_share > 0.0) far_sides = dropFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, result.items.size(), most, points);
+    const ClearPoints clear(cloud, result.items, labels, far_sides, verification.noise());
     const Measurement measurement(cloud, params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
     for (std::size_t k = 0; k < result.items.size(); ++k) {
       if (points[k].all >= static_cast<std::size_t>(params.min_inliers)) {
-        measured.push_back(measurement.of(result.items[k], points[k]));
+        measured.push_back(measurement.of(result.items[k], points[k], clear.of(k, points[k].index)));
       } else {
         ++result.refusals[Refusal::few_inliers];
       }

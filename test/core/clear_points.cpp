@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Points that only their own shape can have brought there: in images by their labels, elsewhere by place and normal.
+#include "core/clear_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/extent.h"
+#include "core/far_sides.h"
+#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
+
+namespace primitect {
+namespace {
+
+using test::SurfacePoint;
+
+constexpr double kSigma = 0.002;
+const NoiseModel kModel = {kSigma, 0.0, 0.3};
+const Plane kFloor = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+const Sphere kBall = {Vec3(0, 0, 0.9), 0.1};
+
+Detection seen(const Shape& shape, const std::vector<SurfacePoint>& patch) {
+  std::vector<Vec3> points;
+  for (const SurfacePoint& p : patch) points.push_back(p.point);
+  Detection detection;
+  detection.shape = shape;
+  detection.extent = measureExtent(shape, points);
+  return detection;
+}
+
+std::vector<std::uint32_t> upTo(std::size_t count) {
+  std::vector<std::uint32_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0u);
+  return indices;
+}
+
+bool contains(const std::vector<std::uint32_t>& indices, std::uint32_t i) {
+  return std::find(indices.begin(), indices.end(), i) != indices.end();
+}
+
+/// A wall 1 m away, 64 x 48 pixels; the left half of the pixels is labelled 1, the right half 2.
+struct TwoHalves {
+  static constexpr std::uint32_t kWidth = 64, kHeight = 48;
+  Random random{1};
+  Cloud cloud;
+  std::vector<std::uint32_t> labels, far_sides, of_left;
+  std::vector<Detection> detections = {seen(kFloor, test::patchOf(kFloor, 100, 0.1, random)),
+                                       seen(kFloor, test::patchOf(kFloor, 100, 0.1, random))};
+
+  TwoHalves() {
+    cloud.reset(kWidth, kHeight, false);
+    for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
+      cloud.setPoint(i, 0.01f * static_cast<float>(i % kWidth), 0.01f * static_cast<float>(i / kWidth), 1.0f, {});
+      labels.push_back(i % kWidth < kWidth / 2 ? 1 : 2);
+      if (labels.back() == 1) of_left.push_back(i);
+    }
+  }
+  std::vector<std::uint32_t> clear() const {
+    return ClearPoints(cloud, detections, labels, far_sides, kModel).of(0, of_left);
+  }
+};
+
+TEST(ClearPoints, OfAnImageAreTwoPixelsOrMoreFromOtherLabels) {
+  const TwoHalves halves;
+  const std::vector<std::uint32_t> clear = halves.clear();
+  // Least radius of the ring: 2 pixels. The border of the image is none of the surface.
+  for (const std::uint32_t i : halves.of_left) {
+    EXPECT_EQ(contains(clear, i), i % TwoHalves::kWidth < TwoHalves::kWidth / 2 - 2) << i;
+  }
+}
+
+TEST(ClearPoints, OfAnImageMayBeBesidePixelsThatWereNotMeasured) {
+  TwoHalves halves;
+  const std::uint32_t beside = 20 * TwoHalves::kWidth + TwoHalves::kWidth / 2 - 1;
+  for (std::uint32_t i = 0; i < halves.labels.size(); ++i) {
+    if (halves.labels[i] == 2) halves.cloud.z[i] = std::nanf(""), halves.labels[i] = 0;
+  }
+  EXPECT_TRUE(contains(halves.clear(), beside));
+}
+
+TEST(ClearPoints, OfAWallSeenFromBothSidesAreFourPixelsOrMoreFromItsInside) {
+  TwoHalves halves;
+  halves.far_sides.assign(halves.labels.size(), 0);
+  for (std::size_t i = 0; i < halves.labels.size(); ++i) {
+    if (halves.labels[i] == 2) halves.labels[i] = 0, halves.far_sides[i] = 1;
+  }
+  const std::vector<std::uint32_t> clear = halves.clear();
+  const std::uint32_t row = 20 * TwoHalves::kWidth, border = row + TwoHalves::kWidth / 2;
+  EXPECT_FALSE(contains(clear, border - 4));
+  EXPECT_TRUE(contains(clear, border - 5));
+}
+
+TEST(ClearPoints, AreAllWhereFewWouldBeLeft) {
+  TwoHalves halves;
+  // A checkerboard leaves nothing.
+  for (std::uint32_t i = 0; i < halves.labels.size(); ++i) {
+    halves.labels[i] = 1 + (i % TwoHalves::kWidth / 2 + i / TwoHalves::kWidth / 2) % 2;
+  }
+  EXPECT_EQ(halves.clear(), halves.of_left);
+}
+
+/// A floor and a ball that stands on it, without noise.
+struct BallOnFloor {
+  std::vector<SurfacePoint> points;
+  Cloud cloud;
+  std::vector<Detection> detections;
+  std::vector<std::uint32_t> labels, far_sides;
+  static constexpr std::size_t kCount = 2000;
+
+  BallOnFloor() {
+    Random random(2);
+    const auto floor = test::patchOf(kFloor, kCount, 0.2, random), ball = test::patchOf(kBall, kCount, random);
+    points = test::together(floor, ball);
+    cloud = test::cloudOf(points);
+    detections = {seen(kFloor, floor), seen(kBall, ball)};
+    labels.assign(kCount, 1);
+    labels.resize(2 * kCount, 2);
+  }
+  std::vector<std::uint32_t> clearOfFloor() const {
+    return ClearPoints(cloud, detections, labels, far_sides, kModel).of(0, upTo(kCount));
+  }
+};
+
+TEST(ClearPoints, OfUnorderedPointsAreBeyondTheNoiseOfOtherShapes) {
+  const BallOnFloor scene;
+  const std::vector<std::uint32_t> clear = scene.clearOfFloor();
+  int left_out = 0;
+  for (std::uint32_t i = 0; i < BallOnFloor::kCount; ++i) {
+    const double away = std::abs(distance(kBall, scene.points[i].point)) / kSigma;
+    if (away < 3.0) {
+      ++left_out;
+      EXPECT_FALSE(contains(clear, i)) << away;
+    }
+    if (away > 4.0) {
+      EXPECT_TRUE(contains(clear, i)) << away;
+    }
+  }
+  EXPECT_GT(left_out, 20);
+}
+
+TEST(ClearPoints, AreChosenByTheirPlaceOnTheSurfaceWhateverTheNoise) {
+  BallOnFloor scene;
+  const std::vector<std::uint32_t> before = scene.clearOfFloor();
+  // Those that noise takes away from the ball would tilt the floor if they were kept, and the others not.
+  Random random(3);
+  for (std::size_t i = 0; i < BallOnFloor::kCount; ++i) {
+    scene.cloud.z[i] += static_cast<float>(kSigma * random.gaussian());
+  }
+  EXPECT_EQ(scene.clearOfFloor(), before);
+}
+
+TEST(ClearPoints, HaveNormalsLikeTheSurfaceOrNone) {
+  BallOnFloor scene;
+  const std::vector<std::uint32_t> clear = scene.clearOfFloor();
+  const std::uint32_t turned = clear[10], without = clear[20];
+  scene.cloud.setNormal(turned, 0.8f, 0.0f, -0.6f);  // 53 deg, beyond the 17 deg of the noise
+  scene.cloud.setNormal(without, 0.0f, 0.0f, 0.0f);
+  EXPECT_FALSE(contains(scene.clearOfFloor(), turned));
+  EXPECT_TRUE(contains(scene.clearOfFloor(), without));
+}
+
+/// Points all around a ball in front of a camera at the origin.
+struct WholeBall {
+  Cloud cloud;
+  std::vector<Detection> detections;
+  std::vector<std::uint32_t> labels;
+  std::vector<bool> faces_camera;
+
+  explicit WholeBall(bool concave) {
+    Random random(4);
+    std::vector<SurfacePoint> points;
+    for (int k = 0; k < 500; ++k) {
+      points.push_back(test::pointOn(kBall, test::randomDirection(random)));
+      faces_camera.push_back(points.back().normal.dot(points.back().point) < 0.0);
+    }
+    cloud = test::cloudOf(points);
+    detections = {seen(kBall, points)};
+    detections[0].concave = concave;
+    labels.assign(points.size(), 1);
+  }
+};
+
+TEST(FarSides, LoseTheirLabels) {
+  for (const bool concave : {false, true}) {
+    WholeBall ball(concave);
+    const std::vector<std::uint32_t> taken = dropFarSides(ball.cloud, ball.detections, ball.labels);
+    for (std::size_t i = 0; i < ball.labels.size(); ++i) {
+      EXPECT_EQ(taken[i], 1 - ball.labels[i]);
+      EXPECT_EQ(ball.labels[i] == 1, ball.faces_camera[i] != concave) << concave << " " << i;
+    }
+  }
+}
+
+TEST(FarSides, AreNotTakenFromPlanes) {
+  TwoHalves halves;
+  const std::vector<std::uint32_t> before = halves.labels;
+  EXPECT_TRUE(dropFarSides(halves.cloud, halves.detections, halves.labels).empty());
+  EXPECT_EQ(halves.labels, before);
+}
+
+}  // namespace
+}  // namespace primitect
