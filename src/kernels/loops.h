@@ -115,6 +115,11 @@ struct FlatAround {
   float x, y, z, weight;
 };
 
+/// Farthest in x, y and z, nearest and farthest depth (m).
+struct PointBounds {
+  float farthest, min_z, max_z;
+};
+
 /// A cube of 2^kCellBits cells along each edge.
 constexpr int kCellBits = 10;
 struct CellCube {
@@ -175,6 +180,9 @@ struct Loops {
   /// Places of the points' cells on the Hilbert curve through the cube's; the outermost cells hold what lies beyond.
   void (*places)(const CellCube& cube, const float* x, const float* y, const float* z, std::size_t count,
                  std::uint32_t* place);
+
+  /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds; returns how many others there are.
+  std::size_t (*dropUnmeasured)(const PointBounds& bounds, float* x, float* y, float* z, std::size_t count);
 };
 
 /// For the machine that runs this.
