@@ -36,6 +36,9 @@ struct Cloud {
   /// Makes room for width * height points, all missing; keeps the memory of earlier frames.
   void reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
 
+  /// The same without making them missing: every point must be set or checked, and with normals every normal set.
+  void prepare(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
+
   /// Farther than this (m) in x, y or z is no measurement: squares would leave the range of float.
   static constexpr float kFarthest = 1e6f;
 
@@ -49,6 +52,9 @@ struct Cloud {
     z[i] = measured ? pz : kMissing;
     valid_count += measured ? 1u : 0u;
   }
+
+  /// Points [begin, end) were written to x, y and z as they came: those that setPoint() would make missing become so.
+  void checkPoints(std::size_t begin, std::size_t end, const DepthRange& range);
 
   /// Stores a normal, scaled to unit length; one that is not finite or shorter than 1e-6 becomes missing.
   void setNormal(std::size_t i, float px, float py, float pz);

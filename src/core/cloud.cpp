@@ -3,6 +3,8 @@
 // Storing points and normals; see cloud.h.
 #include "primitect/cloud.h"
 
+#include "kernels/loops.h"
+
 namespace primitect {
 
 void Cloud::reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals) {
@@ -13,6 +15,24 @@ void Cloud::reset(std::uint32_t new_width, std::uint32_t new_height, bool with_n
   valid_count = 0;
   for (std::vector<float>* values : {&x, &y, &z}) values->assign(count, kMissing);
   for (std::vector<float>* values : {&nx, &ny, &nz}) values->assign(with_normals ? count : 0, kMissing);
+}
+
+void Cloud::prepare(std::uint32_t new_width, std::uint32_t new_height, bool with_normals) {
+  const std::size_t count = static_cast<std::size_t>(new_width) * new_height;
+  width = new_width;
+  height = new_height;
+  valid_count = 0;
+  for (std::vector<float>* values : {&x, &y, &z}) values->resize(count);
+  for (std::vector<float>* values : {&nx, &ny, &nz}) values->resize(with_normals ? count : 0);
+}
+
+void Cloud::checkPoints(std::size_t begin, std::size_t end, const DepthRange& range) {
+  constexpr float kAny = std::numeric_limits<float>::infinity();
+  const kernels::PointBounds bounds = {kFarthest, range.min > 0.0f ? range.min : -kAny,
+                                       range.max > 0.0f ? range.max : kAny};
+  const std::size_t measured =
+      kernels::loops().dropUnmeasured(bounds, x.data() + begin, y.data() + begin, z.data() + begin, end - begin);
+  valid_count += static_cast<std::uint32_t>(measured);
 }
 
 void Cloud::setNormal(std::size_t i, float px, float py, float pz) {

@@ -99,20 +99,25 @@ double coverageOf(const Sphere& sphere, const Extent&, const SeenPoints& inliers
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The convex hull in the plane's own coordinates.
+/// The convex hull in the plane's own coordinates; of at least one corner.
 struct Outline {
   std::vector<Vec2> corners;
 
   bool contains(const Vec2& p) const {
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Vec2& corner = corners[k];
-      if (cross(corners[(k + 1) % corners.size()] - corner, p - corner) < 0.0) return false;
+    const Vec2* from = &corners.back();
+    for (const Vec2& corner : corners) {
+      if (cross(corner - *from, p - *from) < 0.0) return false;
+      from = &corner;
     }
     return true;
   }
   double area() const {
     double sum = 0.0;
-    for (std::size_t k = 0; k < corners.size(); ++k) sum += 0.5 * cross(corners[k], corners[(k + 1) % corners.size()]);
+    const Vec2* from = &corners.back();
+    for (const Vec2& corner : corners) {
+      sum += 0.5 * cross(*from, corner);
+      from = &corner;
+    }
     return sum;
   }
 };
@@ -150,6 +155,7 @@ double coverageOf(const Plane&, const Extent& extent, const SeenPoints& inliers)
   const auto raised = [](const Vec2& p) {
     return Eigen::Vector3f(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f);
   };
+  if (extent.hull.empty()) return 1.0;
   Outline outline;
   for (const Vec3& corner : extent.hull) outline.corners.push_back(flat(corner));
   // A line of points has no holes that could be told from its spacing.

@@ -47,15 +47,20 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
                     std::vector<LabelledPoints>& points) {
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
-  forRuns(labels, [&points](const Run& run) { points[run.label - 1].all += run.end - run.begin; });
-  std::vector<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
+  std::vector<Run> runs;
+  runs.reserve(labels.size() / kAtOnce);
   forRuns(labels, [&](const Run& run) {
+    points[run.label - 1].all += run.end - run.begin;
+    runs.push_back(run);
+  });
+  std::vector<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
+  for (const Run& run : runs) {
     LabelledPoints& of_label = points[run.label - 1];
     const std::size_t step = of_label.all / most + 1;
     std::size_t next = run.begin + rest[run.label - 1];
     for (; next < run.end; next += step) of_label.index.push_back(static_cast<std::uint32_t>(next));
     rest[run.label - 1] = next - run.end;
-  });
+  }
 }
 
 namespace {

@@ -79,8 +79,10 @@ std::vector<Vec2> convexHull(const std::vector<Vec2>& all, double flat) {
 
 constexpr std::size_t kMostPoints = 4093;  // for what is a mean
 
+constexpr std::size_t kMostForDirection = 1021;
+
 /// Direction of the largest spread of the points within the plane.
-Vec3 longestDirection(const SomePoints<kMostPoints>& points, const Vec3& mean, const Vec3& normal) {
+Vec3 longestDirection(const SomePoints<kMostForDirection>& points, const Vec3& mean, const Vec3& normal) {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < points.count; ++k) {
     const Vec3 offset = points.point(k) - mean;
@@ -114,14 +116,35 @@ struct FlatPoints {
   Vec2 at(std::size_t i) const { return {u[i], v[i]}; }
 };
 
+/// Least and largest, in lanes: without branches, and without waiting for the one before.
+struct FloatRange {
+  float low, high;
+
+  explicit FloatRange(const std::vector<float>& values) {
+    constexpr std::size_t kLanes = 8;
+    float least[kLanes], most[kLanes];
+    std::fill_n(least, kLanes, values.front()), std::fill_n(most, kLanes, values.front());
+    std::size_t begin = 0;
+    for (; begin + kLanes <= values.size(); begin += kLanes) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        least[lane] = std::min(least[lane], values[begin + lane]);
+        most[lane] = std::max(most[lane], values[begin + lane]);
+      }
+    }
+    for (; begin < values.size(); ++begin) {
+      least[0] = std::min(least[0], values[begin]), most[0] = std::max(most[0], values[begin]);
+    }
+    low = *std::min_element(least, least + kLanes), high = *std::max_element(most, most + kLanes);
+  }
+};
+
 /// Square cells over a box, some of them with points.
 class Cells {
  public:
   explicit Cells(const FlatPoints& points) : cell_of_(points.u.size()) {
-    const auto in_u = std::minmax_element(points.u.begin(), points.u.end());
-    const auto in_v = std::minmax_element(points.v.begin(), points.v.end());
-    const float low_u = *in_u.first, low_v = *in_v.first;
-    const float across = *in_u.second - low_u, down = *in_v.second - low_v;
+    const FloatRange in_u(points.u), in_v(points.v);
+    const float low_u = in_u.low, low_v = in_v.low;
+    const float across = in_u.high - low_u, down = in_v.high - low_v;
     const float count = static_cast<float>(points.u.size());
     // Spacing of points spread over the box, or along a strip.
     const float spacing = std::max(std::sqrt(across * down / count), std::max(across, down) / count);
@@ -197,7 +220,7 @@ class Cells {
 /// Points of other objects that happen to lie in the plane do not stretch the outline: cells of three mean spacings
 /// that touch belong together, and the part counts that holds most points.
 Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
-  const SomePoints<kMostPoints> some(inliers);
+  const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
   Extent extent;
   extent.rotation = frameAround(plane.normal, longestDirection(some, mean, plane.normal));

@@ -72,6 +72,7 @@ ImageRays findRays(const Cloud& cloud) {
   }
   if (across.count < kFewest || !(across.misfit() < kLargestMisfit) || !(down.misfit() < kLargestMisfit)) return rays;
   rays.known = true;
+  rays.misfit = std::max(across.misfit(), down.misfit());
   rays.x_offset = across.offset(), rays.x_scale = across.scale();
   rays.y_offset = down.offset(), rays.y_scale = down.scale();
   findBorder(cloud, rays);

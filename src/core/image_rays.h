@@ -10,7 +10,8 @@ namespace primitect {
 
 /// Rays of the pixels, also of those without a point, and where the sensor measures at all.
 struct ImageRays {
-  bool known = false;  ///< false: not organized, or not seen by a pinhole camera at the origin
+  bool known = false;   ///< false: not organized, or not seen by a pinhole camera at the origin
+  double misfit = 0.0;  ///< px, root mean square
   double x_offset = 0.0, x_scale = 0.0, y_offset = 0.0, y_scale = 0.0;
   int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  ///< less the sensor's margin
 

@@ -12,10 +12,7 @@
 namespace primitect {
 namespace {
 
-/// Points of a run: short enough to lie close together, long enough that what is done once for each costs little.
-constexpr std::size_t kRun = 64;
-/// Runs whose points are labelled by all shapes before the next ones, so that they stay in the cache.
-constexpr std::size_t kRunsAtOnce = 16;
+constexpr std::size_t kRun = kernels::kPointsPerRun;
 /// So that no point of a ball is left out.
 constexpr float kRounding = 1.001f;
 
@@ -23,88 +20,92 @@ constexpr float kRounding = 1.001f;
 
 void Labeling::begin(const Cloud& cloud) {
   cloud_ = &cloud;
-  const std::size_t runs = (cloud.size() + kRun - 1) / kRun;
-  for (std::vector<float>* values : {&x_, &y_, &z_, &radius_, &distance_, &depth_, &allowed_}) values->resize(runs);
-  point_allowed_.resize(kRunsAtOnce * kRun);
-  nearest_.resize(kRunsAtOnce * kRun);
-  const kernels::Balls balls = {x_.data(), y_.data(), z_.data(), radius_.data()};
-  kernels::loops().balls(cloud.x.data(), cloud.y.data(), cloud.z.data(), cloud.size(), kRun, balls);
+  findRuns(cloud, all_);
+  chooseRuns(cloud, all_, some_);
 }
 
 /// The most that a point of a run may be away: what is allowed has no maximum between two depths.
-void Labeling::findAllowed(const kernels::FlatTolerance& tolerance) {
-  const std::size_t runs = x_.size();
-  for (std::size_t k = 0; k < runs; ++k) distance_[k] = z_[k] - radius_[k], depth_[k] = z_[k] + radius_[k];
-  kernels::loops().tolerances(tolerance, distance_.data(), runs, allowed_.data());
-  kernels::loops().tolerances(tolerance, depth_.data(), runs, distance_.data());
-  for (std::size_t k = 0; k < runs; ++k) allowed_[k] = std::max(allowed_[k], distance_[k]);
+void Labeling::findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance) {
+  const std::size_t count = runs.size();
+  for (std::vector<float>* values : {&distance_, &depth_, &allowed_}) values->resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    distance_[k] = runs.z[k] - runs.radius[k], depth_[k] = runs.z[k] + runs.radius[k];
+  }
+  kernels::loops().tolerances(tolerance, distance_.data(), count, allowed_.data());
+  kernels::loops().tolerances(tolerance, depth_.data(), count, distance_.data());
+  for (std::size_t k = 0; k < count; ++k) allowed_[k] = std::max(allowed_[k], distance_[k]);
 }
 
 /// Distances to a surface, and depths within a part, differ by no more than the points are apart.
-void Labeling::findNear(const Target& target, Near* near) {
-  const std::size_t runs = x_.size();
+void Labeling::findNear(const PointRuns& runs, std::size_t target) {
+  const std::size_t count = runs.size(), word = target / kTargetsPerWord * count;
+  const float *const x = runs.x.data(), *const y = runs.y.data(), *const z = runs.z.data();
   const kernels::Loops& loops = kernels::loops();
-  loops.distances(target.shape, x_.data(), y_.data(), z_.data(), runs, distance_.data());
-  loops.depths(target.part.view(), x_.data(), y_.data(), z_.data(), runs, depth_.data());
-  for (std::size_t k = 0; k < runs; ++k) {
-    const float radius = kRounding * radius_[k], reach = radius + kRounding * allowed_[k];
-    const bool far = radius < 0.0f || std::fabs(distance_[k]) > reach || depth_[k] < -reach;
-    near[k] = far ? Near::no : depth_[k] > radius ? Near::within : Near::border;
+  loops.distances(targets_[target].shape, x, y, z, count, distance_.data());
+  loops.depths(targets_[target].part.view(), x, y, z, count, depth_.data());
+  const std::uint32_t bit = 1u << (target % kTargetsPerWord);
+  std::uint32_t *const near = near_.data() + word, *const border = border_.data() + word;
+  for (std::size_t k = 0; k < count; ++k) {
+    const float radius = kRounding * runs.radius[k], reach = radius + kRounding * allowed_[k];
+    const bool far = (radius < 0.0f) | (std::fabs(distance_[k]) > reach) | (depth_[k] < -reach);
+    near[k] |= far ? 0u : bit;
+    border[k] |= depth_[k] > radius ? 0u : bit;
   }
 }
 
-/// The sides that pass through the ball around a run: one or two of the forty that an outline may have.
-kernels::FlatPart Labeling::sidesNear(const kernels::FlatPart& part, std::size_t run) {
+/// Of a part only the sides that pass through the ball around a run: one or two of the forty that an outline may have.
+void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
+  of_run_.clear();
   sides_.clear();
-  for (std::size_t k = 0; k < part.count; ++k) {
-    const kernels::FlatSide& side = part.sides[k];
-    const float depth = side.x * x_[run] + side.y * y_[run] + side.z * z_[run] - side.offset;
-    if (depth <= kRounding * radius_[run]) sides_.push_back(side);
-  }
-  return {sides_.data(), sides_.size()};
-}
-
-void Labeling::labelRuns(std::size_t first, std::size_t last, const kernels::FlatTolerance& tolerance,
-                         std::uint32_t* labels) {
-  const std::size_t begin = first * kRun, count = std::min(last * kRun, cloud_->size()) - begin;
-  const float* z = cloud_->z.data() + begin;
-  const kernels::Loops& loops = kernels::loops();
-  loops.tolerances(tolerance, z, count, point_allowed_.data());
-  std::copy_n(point_allowed_.begin(), count, nearest_.begin());
-  std::fill_n(labels + begin, count, 0u);
-  const kernels::LabelledCloud points = {cloud_->x.data() + begin, cloud_->y.data() + begin, z,
-                                         point_allowed_.data(),    nearest_.data(),          labels + begin};
-  for (std::size_t k = 0; k < targets_.size(); ++k) {
-    const Near* near = near_.data() + k * x_.size();
-    for (std::size_t run = first, next = first; run < last; run = next) {
-      // Runs at the border are bounded by sides of their own.
-      const bool border = near[run] == Near::border;
-      do {
-        ++next;
-      } while (!border && next < last && near[next] == near[run]);
-      if (near[run] == Near::no) continue;
-      const kernels::FlatPart part = border ? sidesNear(targets_[k].part.view(), run) : kernels::FlatPart{nullptr, 0};
-      loops.label(targets_[k].shape, part, points, run * kRun - begin, std::min(next * kRun - begin, count),
-                  static_cast<std::uint32_t>(k + 1));
+  for (std::size_t first = 0, at = k; first < targets_.size(); first += kTargetsPerWord, at += runs.size()) {
+    for (std::uint32_t near = near_[at]; near != 0; near &= near - 1) {
+      const auto bit = static_cast<std::uint32_t>(__builtin_ctz(near));
+      const Target& target = targets_[first + bit];
+      const std::size_t before = sides_.size();
+      if ((border_[at] >> bit & 1u) != 0) {
+        target.part.addSidesNear(runs.x[k], runs.y[k], runs.z[k], kRounding * runs.radius[k], sides_);
+      }
+      const kernels::FlatPart here = {sides_.data() + before, sides_.size() - before};
+      of_run_.push_back({&target.shape, here, static_cast<std::uint32_t>(first + bit + 1)});
     }
   }
 }
 
-void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance,
+void Labeling::labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const {
+  const std::size_t begin = run * kRun, count = std::min(kRun, cloud_->size() - begin);
+  const float *x = cloud_->x.data() + begin, *y = cloud_->y.data() + begin, *z = cloud_->z.data() + begin;
+  if (of_run_.empty()) {
+    std::fill_n(labels + begin, count, 0u);
+  } else if (count == kRun) {
+    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), x, y, z, labels + begin);
+  } else {
+    float last_x[kRun] = {}, last_y[kRun] = {}, last_z[kRun] = {};
+    std::uint32_t last_labels[kRun];
+    std::copy_n(x, count, last_x), std::copy_n(y, count, last_y), std::copy_n(z, count, last_z);
+    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last_x, last_y, last_z, last_labels);
+    std::copy_n(last_labels, count, labels + begin);
+  }
+}
+
+void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
                      std::vector<std::uint32_t>& labels) {
-  const std::size_t runs = x_.size();
+  const std::size_t words = (detections.size() + kTargetsPerWord - 1) / kTargetsPerWord;
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   labels.resize(cloud_->size());
-  findAllowed(flat);
+  findAllowed(runs, flat);
+  near_.assign(words * runs.size(), 0), border_.assign(words * runs.size(), 0);
   targets_.clear();
-  near_.resize(detections.size() * runs);
+  std::size_t sides = 0;
   for (const Detection& detection : detections) {
-    const std::size_t k = targets_.size();
     targets_.push_back({flattened(detection.shape, Vec3::Zero()), ObservedPart(detection.shape, detection.extent)});
-    findNear(targets_[k], near_.data() + k * runs);
+    findNear(runs, targets_.size() - 1);
+    sides += targets_.back().part.view().count;
   }
-  for (std::size_t first = 0; first < runs; first += kRunsAtOnce) {
-    labelRuns(first, std::min(first + kRunsAtOnce, runs), flat, labels.data());
+  // What belongs to a run stays where it is while the rest is gathered.
+  sides_.reserve(sides);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    gatherTargets(runs, k);
+    labelRun(runs.number[k], flat, labels.data());
   }
 }
 
@@ -112,7 +113,7 @@ void labelPoints(const Cloud& cloud, const std::vector<Detection>& detections, c
                  std::vector<std::uint32_t>& labels) {
   Labeling labeling;
   labeling.begin(cloud);
-  labeling.label(detections, tolerance, labels);
+  labeling.label(detections, tolerance, labeling.allRuns(), labels);
 }
 
 }  // namespace primitect

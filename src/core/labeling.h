@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/observed_part.h"
+#include "core/point_runs.h"
 #include "core/tolerance.h"
 #include "kernels/loops.h"
 #include "primitect/cloud.h"
@@ -21,31 +22,36 @@ class Labeling {
   /// Looks where the points are; the cloud must stay until the next one.
   void begin(const Cloud& cloud);
 
-  /// Labels every point with the index + 1 of the nearest detection whose surface is within the tolerance and whose
-  /// observed part, enlarged by it, holds the point; 0 = none, or missing. Takes a tenth of the time where neighbours
-  /// in the cloud are neighbours in space: runs of points that a shape does not come near are left out.
-  void label(const std::vector<Detection>& detections, const Tolerance& tolerance, std::vector<std::uint32_t>& labels);
+  /// Of this cloud; see point_runs.h.
+  const PointRuns& allRuns() const { return all_; }
+  const PointRuns& someRuns() const { return some_; }
+
+  /// Labels every point of these runs with the index + 1 of the nearest detection whose surface is within the tolerance
+  /// and whose observed part, enlarged by it, holds the point; 0 = none, or missing. Takes a tenth of the time where
+  /// neighbours in the cloud are neighbours in space: runs of points that a shape does not come near are left out.
+  void label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
+             std::vector<std::uint32_t>& labels);
 
  private:
-  /// A run of points against a shape.
-  enum class Near : std::uint8_t { no, within, border };
   struct Target {
     kernels::FlatShape shape;
     ObservedPart part;
   };
+  /// So many targets have a bit in one word.
+  static constexpr std::size_t kTargetsPerWord = 32;
 
-  void findAllowed(const kernels::FlatTolerance& tolerance);
-  void findNear(const Target& target, Near* near);
-  kernels::FlatPart sidesNear(const kernels::FlatPart& part, std::size_t run);
-  void labelRuns(std::size_t first, std::size_t last, const kernels::FlatTolerance& tolerance, std::uint32_t* labels);
+  void findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance);
+  void findNear(const PointRuns& runs, std::size_t target);
+  void gatherTargets(const PointRuns& runs, std::size_t k);
+  void labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const;
 
   const Cloud* cloud_ = nullptr;
-  std::vector<float> x_, y_, z_, radius_;          ///< of balls around the runs (m)
-  std::vector<float> distance_, depth_, allowed_;  ///< of these balls (m)
+  PointRuns all_, some_;
+  std::vector<float> distance_, depth_, allowed_;  ///< of the balls around some runs (m)
   std::vector<Target> targets_;                    ///< of each detection
-  std::vector<kernels::FlatSide> sides_;           ///< of a part near a run
-  std::vector<Near> near_;                         ///< of all runs and each detection
-  std::vector<float> point_allowed_, nearest_;     ///< of the points of some runs (m)
+  std::vector<std::uint32_t> near_, border_;  ///< bits of the targets that a run is near to, and near the border of
+  std::vector<kernels::LabelTarget> of_run_;  ///< what one run is near to
+  std::vector<kernels::FlatSide> sides_;      ///< of a part near a run
 };
 
 /// The same for a cloud that is labelled once.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image_rays.h"
 #include "core/neighbors.h"
 
 namespace primitect {
@@ -37,13 +38,22 @@ bool allInFront(const Cloud& cloud) {
   return std::count_if(cloud.z.begin(), cloud.z.end(), [](float z) { return z <= 0.0f; }) == 0;
 }
 
+/// Of an image whose pixels lie where they should: beside a window of 15 pixels a twentieth of one is nothing.
+PixelPitch pitchOf(const Cloud& cloud) {
+  constexpr double kLargestMisfit = 0.05;  // px
+  const ImageRays rays = findRays(cloud);
+  if (!rays.known || rays.misfit > kLargestMisfit) return {};
+  return {rays.x_scale, rays.y_scale};
+}
+
 bool anyNormal(const Samples& samples) {
   return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
 }
 
 /// pixel: of every point of the cloud that the samples are from.
 template <class PixelOf>
-void fitWindows(const Cloud& image, const PixelOf& pixel, int window_at_one_meter, Samples& samples) {
+void fitWindows(const Cloud& image, const PixelOf& pixel, const PixelPitch& pitch, int window_at_one_meter,
+                Samples& samples) {
   constexpr int kSmallestWindow = 3;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
@@ -53,7 +63,7 @@ void fitWindows(const Cloud& image, const PixelOf& pixel, int window_at_one_mete
                    static_cast<double>(std::min(kSmallestWindow, window_at_one_meter)), static_cast<double>(largest));
     const int half_width = static_cast<int>(std::lround(wanted));
     if (const std::optional<WindowNormal> normal =
-            windowNormal(image, pixel(samples.index[i]), samples.point(i), half_width)) {
+            windowNormal(image, pixel(samples.index[i]), samples.point(i), half_width, pitch)) {
       store(normal->direction, i, samples);
       samples.normal_sigma[i] = static_cast<float>(normal->sigma);
     }
@@ -136,11 +146,13 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
   const bool from_image = source.neighbor_count <= 0 && seenByDepthCamera(cloud, source);
   if (from_image && source.image) {
     const auto pixel = [&](std::uint32_t point) { return source.image->pixel[point]; };
-    return fitWindows(source.image->image, pixel, params.normal_window, samples);
+    return fitWindows(source.image->image, pixel, {}, params.normal_window, samples);
   }
-  if (from_image)
-    return fitWindows(
-        cloud, [](std::uint32_t point) { return point; }, params.normal_window, samples);
+  if (from_image) {
+    if (!source.pitch) source.pitch = pitchOf(cloud);
+    const auto pixel = [](std::uint32_t point) { return point; };
+    return fitWindows(cloud, pixel, *source.pitch, params.normal_window, samples);
+  }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;
   fitNeighborhoods(cloud, count, *source.neighbors, samples);

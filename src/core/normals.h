@@ -21,8 +21,9 @@ struct NormalSource {
   std::unique_ptr<NeighborSearch> neighbors;
   std::optional<ProjectedImage> image;
   bool image_tried = false;
-  std::optional<bool> in_front;  ///< the cloud is organized and all in front of the sensor
-  int neighbor_count = 0;        ///< above 0: measured from so many neighbours even where the cloud brings normals
+  std::optional<bool> in_front;     ///< the cloud is organized and all in front of the sensor
+  std::optional<PixelPitch> pitch;  ///< of the organized cloud
+  int neighbor_count = 0;           ///< above 0: measured from so many neighbours even where the cloud brings normals
 
   void reset() { *this = {}; }
 };

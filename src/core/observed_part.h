@@ -38,6 +38,9 @@ class ObservedPart {
     return true;
   }
 
+  /// Appends the sides from which a ball within the surface's reach does not keep clear (m).
+  void addSidesNear(float x, float y, float z, float radius, std::vector<kernels::FlatSide>& sides) const;
+
   kernels::FlatPart view() const { return {sides_.data(), sides_.size()}; }
 
  private:

@@ -18,20 +18,18 @@ class Sampler {
   /// A new frame, of which nothing is drawn yet.
   void begin() { drawn_.clear(); }
 
-  /// Draws min(count, free points) samples: one at random of each of count equal runs of free points in the cloud's
-  /// order, then sorted along a curve through space. Free are valid points without a label (null: all are without);
-  /// those that were drawn before get one. Normals are left missing.
-  void draw(const Cloud& cloud, std::vector<std::uint32_t>* labels, std::size_t count, std::uint64_t seed,
-            Samples& samples);
+  /// Looks for the free points of these runs (see point_runs.h): valid and without a label; null: all are without.
+  /// Those that were drawn before get one.
+  void findFree(const Cloud& cloud, const std::vector<std::uint32_t>& runs, std::vector<std::uint32_t>* labels);
+
+  /// Draws min(count, free points) samples: one at random of each of count equal parts of the free points in the
+  /// cloud's order, then sorted along a curve through space. Normals are left missing.
+  void draw(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples);
 
  private:
-  void countFree(const Cloud& cloud, const std::uint32_t* labels);
-  void drawFree(const Cloud& cloud, const std::uint32_t* labels, std::size_t count, std::uint64_t seed);
-
   SpaceCurve curve_;
-  std::vector<std::uint32_t> before_;                 ///< free points before every run of the cloud, and all of them
-  std::vector<std::uint32_t> indices_, along_curve_;  ///< of points in the cloud
-  std::vector<std::uint32_t> drawn_;                  ///< indices, in all rounds
+  std::vector<std::uint32_t> free_, chosen_, along_curve_;  ///< indices of points in the cloud
+  std::vector<std::uint32_t> drawn_;                        ///< the same, in all rounds
 };
 
 /// The first samples of a cloud.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The transform of Skilling (Programming the Hilbert curve, AIP Conf. Proc. 707, 2004) and a radix sort.
+// A cube around most points, and a radix sort by the places of their cells; see space_curve.h.
 #include "core/space_curve.h"
 
 #include <algorithm>
@@ -9,49 +9,14 @@
 namespace primitect {
 namespace {
 
-constexpr int kBits = 10;  // of each coordinate
-
-/// Spreads the lower ten bits of a number to every third bit.
-std::uint32_t everyThirdBit(std::uint32_t bits) {
-  bits = (bits | (bits << 16)) & 0x030000ffu;
-  bits = (bits | (bits << 8)) & 0x0300f00fu;
-  bits = (bits | (bits << 4)) & 0x030c30c3u;
-  return (bits | (bits << 2)) & 0x09249249u;
-}
-
-/// One step down the octree: turns and mirrors what is below this bit.
-void turnBelow(std::uint32_t bit, std::uint32_t& first, std::uint32_t& other) {
-  const std::uint32_t below = bit - 1, swapped = (first ^ other) & below;
-  const bool mirror = (other & bit) != 0;
-  first ^= mirror ? below : swapped;
-  other ^= mirror ? 0 : swapped;
-}
-
-std::uint32_t cellOf(float value, float low, float cells_per_meter) {
-  constexpr float kLast = (1 << kBits) - 1;
-  const float cell = (value - low) * cells_per_meter;
-  return static_cast<std::uint32_t>(std::min(std::max(cell, 0.0f), kLast));
-}
+constexpr int kBits = kernels::kCellBits;
 
 }  // namespace
 
-std::uint32_t hilbertPlace(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1) {
-    x ^= (x & bit) != 0 ? bit - 1 : 0;
-    turnBelow(bit, x, y);
-    turnBelow(bit, x, z);
-  }
-  // Gray code: every bit says whether the next one changes.
-  y ^= x, z ^= y;
-  std::uint32_t above = z >> 1;
-  above ^= above >> 1, above ^= above >> 2, above ^= above >> 4, above ^= above >> 8;
-  return (everyThirdBit(x ^ above) << 2) | (everyThirdBit(y ^ above) << 1) | everyThirdBit(z ^ above);
-}
-
 /// The middle nine tenths of some of the points, and as much again on either side.
-SpaceCurve::Cube SpaceCurve::cubeAround(const std::array<const std::vector<float>*, 3>& fields) {
+kernels::CellCube SpaceCurve::cubeAround(const std::array<const std::vector<float>*, 3>& fields) {
   constexpr std::size_t kLookedAt = 256;
-  Cube cube = {};
+  kernels::CellCube cube = {};
   float longest = 1e-9f;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<float>& values = *fields[axis];
@@ -89,14 +54,10 @@ const std::vector<std::uint32_t>& SpaceCurve::order(const std::vector<float>& x,
                                                     const std::vector<float>& z) {
   order_.resize(x.size());
   if (x.empty()) return order_;
-  const Cube cube = cubeAround({&x, &y, &z});
+  place_.resize(x.size());
+  kernels::loops().places(cubeAround({&x, &y, &z}), x.data(), y.data(), z.data(), x.size(), place_.data());
   entries_.resize(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const std::uint32_t place =
-        hilbertPlace(cellOf(x[i], cube.low[0], cube.cells_per_meter), cellOf(y[i], cube.low[1], cube.cells_per_meter),
-                     cellOf(z[i], cube.low[2], cube.cells_per_meter));
-    entries_[i] = {place, static_cast<std::uint32_t>(i)};
-  }
+  for (std::size_t i = 0; i < x.size(); ++i) entries_[i] = {place_[i], static_cast<std::uint32_t>(i)};
   sortByPlace();
   for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = entries_[i].position;
   return order_;

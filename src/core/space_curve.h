@@ -7,13 +7,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/loops.h"
+
 namespace primitect {
 
-/// Place of a cell on the Hilbert curve through 1024^3 cells; x, y and z below 1024. Unlike the Z curve it never jumps:
-/// boxes around runs of samples, eight or 64 to a run, are smaller.
-std::uint32_t hilbertPlace(std::uint32_t x, std::uint32_t y, std::uint32_t z);
-
-/// Sorts points along the curve; its buffers are kept.
+/// Sorts points along the Hilbert curve; its buffers are kept. Unlike the Z curve it never jumps: boxes around runs of
+/// samples, eight or 64 to a run, are smaller.
 class SpaceCurve {
  public:
   /// The order of these points: positions in the lists, along the curve; as they come within a cell. The cube around
@@ -22,20 +21,16 @@ class SpaceCurve {
                                           const std::vector<float>& z);
 
  private:
-  struct Cube {
-    std::array<float, 3> low;
-    float cells_per_meter;
-  };
   struct Entry {
     std::uint32_t place, position;
   };
 
-  Cube cubeAround(const std::array<const std::vector<float>*, 3>& fields);
+  kernels::CellCube cubeAround(const std::array<const std::vector<float>*, 3>& fields);
   void sortByPlace();
 
   std::vector<Entry> entries_, sorted_;
   std::vector<float> some_;
-  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> place_, order_;
 };
 
 }  // namespace primitect

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTolerance = 3.0;  // standard deviations
 
-kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_width) {
+kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_width, const PixelPitch& pitch) {
   constexpr float kLargestJump = 0.04f;  // of the depth: more is another surface, at any slope that can be fitted
   constexpr int kFewestAtStart = 6;
   kernels::WindowTask task = {};
@@ -27,6 +27,8 @@ kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_wid
   task.largest_jump = kLargestJump;
   task.tolerance = static_cast<float>(kTolerance * axialNoise(center.z()) / center.z());
   task.fewest_at_start = kFewestAtStart;
+  task.u_per_column = static_cast<float>(pitch.u);
+  task.v_per_row = static_cast<float>(pitch.v);
   return task;
 }
 
@@ -40,13 +42,15 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
 
 }  // namespace
 
-std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width) {
-  return windowNormal(cloud, pixel, Vec3(cloud.x[pixel], cloud.y[pixel], cloud.z[pixel]), half_width);
+std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width,
+                                         const PixelPitch& pitch) {
+  return windowNormal(cloud, pixel, Vec3(cloud.x[pixel], cloud.y[pixel], cloud.z[pixel]), half_width, pitch);
 }
 
-std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width) {
+std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width,
+                                         const PixelPitch& pitch) {
   if (!(center.z() > 0.0)) return std::nullopt;
-  const kernels::WindowTask task = taskAt(pixel, center, half_width);
+  const kernels::WindowTask task = taskAt(pixel, center, half_width, pitch);
   const kernels::PointImage points = {image.x.data(), image.y.data(), image.z.data(), image.width, image.height};
   const kernels::WindowPlane plane = kernels::loops().fitWindow(points, task);
   if (!usable(plane, task)) return std::nullopt;

@@ -16,13 +16,21 @@ struct WindowNormal {
   double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
 };
 
+/// How much x/z grows from column to column of a pinhole image, and y/z from row to row; 0: not known, or no such
+/// image.
+struct PixelPitch {
+  double u = 0.0, v = 0.0;
+};
+
 /// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
 /// (2 half_width + 1)^2 pixels, half_width at most kernels::kLargestHalfWidth. In these coordinates a plane is linear
 /// and the noise of a depth camera even. Nothing when too few pixels of the window lie on one surface with the centre.
-/// Needs z > 0.
-std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width);
+/// Needs z > 0. Takes half the time where the pitch is known.
+std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width,
+                                         const PixelPitch& pitch = {});
 
 /// The same at a point that falls into this pixel, whichever point the image holds there.
-std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width);
+std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width,
+                                         const PixelPitch& pitch = {});
 
 }  // namespace primitect

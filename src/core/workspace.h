@@ -109,9 +109,10 @@ struct Detector::Workspace {
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
     constexpr double kOutskirts = 2.0;
-    if (round > 0) labeling.label(explaining, tolerance.scaled(kOutskirts), labels);
-    sampler.draw(cloud, round > 0 ? &labels : nullptr, atThisEffort(count),
-                 static_cast<std::uint64_t>(params.seed) + round, samples);
+    const PointRuns& runs = labeling.someRuns();
+    if (round > 0) labeling.label(explaining, tolerance.scaled(kOutskirts), runs, labels);
+    sampler.findFree(cloud, runs.number, round > 0 ? &labels : nullptr);
+    sampler.draw(cloud, atThisEffort(count), static_cast<std::uint64_t>(params.seed) + round, samples);
   }
 
   /// d_s, and what noise to expect, from the first samples.
@@ -255,7 +256,7 @@ struct Detector::Workspace {
     // fit to more of them comes no nearer to the truth.
     constexpr std::size_t kMostPoints = 24576, kMostPixels = 8192;
     const std::size_t most = verification.noise().depth_share > 0.0 ? kMostPixels : kMostPoints;
-    labeling.label(result.items, tolerance, labels);
+    labeling.label(result.items, tolerance, labeling.allRuns(), labels);
     std::vector<std::uint32_t> far_sides;
     if (verification.noise().depth_share > 0.0) far_sides = dropFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, result.items.size(), most, points);

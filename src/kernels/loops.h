@@ -105,11 +105,15 @@ struct Balls {
   float *x, *y, *z, *radius;
 };
 
-/// Points with what is known so far: the label of the nearest shape, and its distance, at first what is allowed.
-struct LabelledCloud {
-  const float *x, *y, *z, *allowed;
-  float* nearest;
-  std::uint32_t* labels;
+/// Points are labelled in runs of so many: short enough to lie close together, long enough that what is done once for
+/// each costs little.
+constexpr std::size_t kPointsPerRun = 64;
+
+/// A shape whose points are looked for; without sides, the run lies within its part.
+struct LabelTarget {
+  const FlatShape* shape;
+  FlatPart part;
+  std::uint32_t label;
 };
 
 /// Distances (m) of points to a surface and its outward unit normals below them.
@@ -124,6 +128,18 @@ struct FlatProbe {
 /// Weighted sum of the offsets (m) from a place, and of the weights.
 struct FlatAround {
   float x, y, z, weight;
+};
+
+/// Farthest in x, y and z, nearest and farthest depth (m).
+struct PointBounds {
+  float farthest, min_z, max_z;
+};
+
+/// A cube of 2^kCellBits cells along each edge.
+constexpr int kCellBits = 10;
+struct CellCube {
+  float low[3];  ///< m
+  float cells_per_meter;
 };
 
 struct Loops {
@@ -163,10 +179,10 @@ struct Loops {
   /// What each depth allows (m).
   void (*tolerances)(const FlatTolerance& tolerance, const float* z, std::size_t count, float* allowed);
 
-  /// Labels the points [begin, end) to which the shape is nearer than what they have, and which lie within its part
-  /// enlarged by what they allow.
-  void (*label)(const FlatShape& shape, const FlatPart& part, const LabelledCloud& cloud, std::size_t begin,
-                std::size_t end, std::uint32_t label);
+  /// Labels kPointsPerRun points with the nearest of the shapes that is near enough and whose part, enlarged by what
+  /// the point is allowed, holds it; 0: none.
+  void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count, const float* x,
+                const float* y, const float* z, std::uint32_t* labels);
 
   void (*feet)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                const FlatFeet& feet);
@@ -174,6 +190,13 @@ struct Loops {
   /// Of `count` points, a multiple of kLanes: filled up with such of weight 0.
   FlatAround (*around)(const FlatProbe& probe, const float* x, const float* y, const float* z, const float* weight,
                        std::size_t count);
+
+  /// Places of the points' cells on the Hilbert curve through the cube's; the outermost cells hold what lies beyond.
+  void (*places)(const CellCube& cube, const float* x, const float* y, const float* z, std::size_t count,
+                 std::uint32_t* place);
+
+  /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds; returns how many others there are.
+  std::size_t (*dropUnmeasured)(const PointBounds& bounds, float* x, float* y, float* z, std::size_t count);
 };
 
 /// For the machine that runs this.

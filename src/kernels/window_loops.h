@@ -23,6 +23,7 @@ struct WindowTask {
   float largest_jump;                        ///< share of the depth that parts another surface, at the start
   float tolerance;                           ///< share of the depth, about the fitted plane
   int fewest_at_start;                       ///< pixels
+  float u_per_column, v_per_row;             ///< of a pinhole image; 0: not known, u and v are those of the points
 };
 
 /// d = a (u - u of the centre) + b (v - v of the centre) + c.

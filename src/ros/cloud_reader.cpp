@@ -111,10 +111,28 @@ float readSlot(const std::uint8_t* point, Slot slot) {
   return value;
 }
 
+/// Floats alone, as nearly all messages bring them: each row is copied, then checked in vectors.
+void readFloats(const PointCloud2& message, const Slots& slots, const DepthRange& range, Cloud& cloud) {
+  const std::size_t width = message.width, step = message.point_step;
+  for (std::size_t row = 0; row < message.height; ++row) {
+    const std::uint8_t* point = message.data.data() + row * message.row_step;
+    float *const x = cloud.x.data() + row * width, *const y = cloud.y.data() + row * width;
+    float* const z = cloud.z.data() + row * width;
+    for (std::size_t i = 0; i < width; ++i, point += step) {
+      std::memcpy(x + i, point + slots[0].offset, sizeof(float));
+      std::memcpy(y + i, point + slots[1].offset, sizeof(float));
+      std::memcpy(z + i, point + slots[2].offset, sizeof(float));
+    }
+    cloud.checkPoints(row * width, (row + 1) * width, range);
+  }
+}
+
+bool areFloats(const Slots& slots) { return !slots[0].is_double && !slots[1].is_double && !slots[2].is_double; }
+
 /// Calls store(index, a, b, c) for every point; without doubles the inner loop has no branch on the type.
 template <typename Store>
 void readTriples(const PointCloud2& message, Slots slots, Store store) {
-  const bool floats_only = !slots[0].is_double && !slots[1].is_double && !slots[2].is_double;
+  const bool floats_only = areFloats(slots);
   std::size_t index = 0;
   for (std::uint32_t row = 0; row < message.height; ++row) {
     const std::uint8_t* point = message.data.data() + std::size_t{row} * message.row_step;
@@ -138,15 +156,21 @@ void readTriples(const PointCloud2& message, Slots slots, Store store) {
 
 std::string readCloud(const sensor_msgs::PointCloud2& message, const DepthRange& range, bool with_normals,
                       Cloud& cloud) {
-  cloud.reset(0, 0, false);
+  // The memory stays, also that of earlier points.
+  cloud.prepare(0, 0, false);
   if (message.width == 0 || message.height == 0) return {};
   with_normals = with_normals && bringsNormals(message);
   Slots position, normal;
   std::string error = checkMessage(message, with_normals, position, normal);
   if (!error.empty()) return error;
 
-  cloud.reset(message.width, message.height, with_normals);
-  readTriples(message, position, [&](std::size_t i, float x, float y, float z) { cloud.setPoint(i, x, y, z, range); });
+  cloud.prepare(message.width, message.height, with_normals);
+  if (areFloats(position)) {
+    readFloats(message, position, range, cloud);
+  } else {
+    readTriples(message, position,
+                [&](std::size_t i, float x, float y, float z) { cloud.setPoint(i, x, y, z, range); });
+  }
   if (with_normals) {
     readTriples(message, normal, [&](std::size_t i, float x, float y, float z) { cloud.setNormal(i, x, y, z); });
   }

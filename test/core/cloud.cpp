@@ -27,6 +27,30 @@ TEST(Cloud, TakesZeroAndNotFiniteAndOutOfRangeAsMissing) {
   for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(cloud.valid(i), i >= 7) << i;
 }
 
+TEST(Cloud, ChecksPointsInARowAsOneByOne) {
+  const float values[] = {0.0f, 0.5f, -1.0f, 1e7f, -1e7f, 1e6f, std::nanf(""), std::numeric_limits<float>::infinity()};
+  for (const DepthRange& range :
+       {DepthRange{}, DepthRange{0.1f, 0.0f}, DepthRange{0.0f, 2.0f}, DepthRange{0.5f, 2.0f}}) {
+    Cloud one_by_one, in_a_row;
+    one_by_one.reset(8 * 8, 8, false);
+    in_a_row.prepare(8 * 8, 8, false);
+    for (std::size_t i = 0; i < 512; ++i) {
+      const float x = values[i % 8], y = values[i / 8 % 8], z = values[i / 64];
+      one_by_one.setPoint(i, x, y, z, range);
+      in_a_row.x[i] = x, in_a_row.y[i] = y, in_a_row.z[i] = z;
+    }
+    in_a_row.checkPoints(0, 100, range);
+    in_a_row.checkPoints(100, 512, range);
+    EXPECT_EQ(in_a_row.valid_count, one_by_one.valid_count);
+    for (std::size_t i = 0; i < 512; ++i) {
+      ASSERT_EQ(std::isnan(in_a_row.x[i]), !one_by_one.valid(i)) << i;
+      ASSERT_EQ(in_a_row.valid(i), one_by_one.valid(i)) << i;
+      if (!in_a_row.valid(i)) continue;
+      ASSERT_TRUE(in_a_row.x[i] == one_by_one.x[i] && in_a_row.z[i] == one_by_one.z[i]) << i;
+    }
+  }
+}
+
 TEST(Cloud, KeepsAllDepthsWhenTheRangeIsOff) {
   Cloud cloud;
   cloud.reset(2, 1, false);

@@ -107,6 +107,17 @@ TEST(LabelPoints, GivesEachPointToTheNearestShapeOnWhosePartItLies) {
   }
 }
 
+TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
+  const Cloud cloud = cloudInOrder();
+  std::vector<Detection> many(40), few = detections();
+  for (Detection& far : many) far.shape = Sphere{Vec3(0, 0, 50), 0.1}, far.extent.origin = Vec3(0, 0, 50);
+  many.insert(many.end(), few.begin(), few.end());
+  std::vector<std::uint32_t> labels, labels_of_many;
+  labelPoints(cloud, few, kEverywhereAlike, labels);
+  labelPoints(cloud, many, kEverywhereAlike, labels_of_many);
+  for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_EQ(labels_of_many[i], labels[i] == 0 ? 0 : labels[i] + 40) << i;
+}
+
 TEST(LabelPoints, OfNothingAreNone) {
   std::vector<std::uint32_t> labels = {1, 2, 3};
   labelPoints(Cloud(), detections(), kEverywhereAlike, labels);

@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "core/point_runs.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
@@ -18,6 +19,15 @@ namespace {
 
 using test::cameraCloud;
 using test::patchOf;
+
+/// From all points of the cloud.
+void draw(Sampler& sampler, const Cloud& cloud, std::vector<std::uint32_t>* labels, std::size_t count,
+          std::uint64_t seed, Samples& samples) {
+  PointRuns all;
+  findRuns(cloud, all);
+  sampler.findFree(cloud, all.number, labels);
+  sampler.draw(cloud, count, seed, samples);
+}
 
 TEST(Sampling, DrawsValidPointsOnceSpreadOverTheCloud) {
   Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
@@ -56,10 +66,10 @@ TEST(Sampling, LeavesOutThePointsThatHaveALabel) {
   for (std::size_t i = 5000; i < 5100; ++i) labels[i] = 0;
   Sampler sampler;
   Samples samples;
-  sampler.draw(cloud, &labels, 60, 1, samples);
+  draw(sampler, cloud, &labels, 60, 1, samples);
   EXPECT_EQ(samples.size(), 60u);
   for (const std::uint32_t i : samples.index) EXPECT_TRUE(5000 <= i && i < 5100) << i;
-  sampler.draw(cloud, &labels, 1000, 2, samples);
+  draw(sampler, cloud, &labels, 1000, 2, samples);
   EXPECT_EQ(samples.size(), 40u);
 }
 
@@ -70,13 +80,32 @@ TEST(Sampling, SpreadsLaterRoundsOverWhatIsFree) {
   std::fill_n(labels.begin() + first, free, 0u);
   Sampler sampler;
   Samples samples;
-  sampler.draw(cloud, nullptr, 1000, 1, samples);
-  sampler.draw(cloud, &labels, 1000, 2, samples);
+  draw(sampler, cloud, nullptr, 1000, 1, samples);
+  draw(sampler, cloud, &labels, 1000, 2, samples);
   ASSERT_EQ(samples.size(), 1000u);
   int per_quarter[4] = {0, 0, 0, 0};
   for (const std::uint32_t i : samples.index) ++per_quarter[(i - first) * 4 / free];
   // The first round drew as many from each quarter, give or take one at its borders: that moves the runs a little.
   for (const int count : per_quarter) EXPECT_NEAR(count, 250, 3);
+}
+
+TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImage) {
+  constexpr std::uint32_t kWidth = 640, kHeight = 480;
+  Cloud cloud;
+  cloud.reset(kWidth, kHeight, false);
+  PointRuns all, some;
+  findRuns(cloud, all);
+  chooseRuns(cloud, all, some);
+  ASSERT_EQ(all.size() * kernels::kPointsPerRun, cloud.size());
+  EXPECT_EQ(some.size(), all.size() / 4);
+  std::vector<std::size_t> in_row(kHeight, 0), in_column(kWidth / kernels::kPointsPerRun, 0);
+  for (const std::uint32_t run : some.number) {
+    ++in_row[run * kernels::kPointsPerRun / kWidth];
+    ++in_column[run * kernels::kPointsPerRun % kWidth / kernels::kPointsPerRun];
+  }
+  // Of the ten runs in a row two or three are chosen, of those in a column every fourth.
+  for (const std::size_t count : in_row) EXPECT_NEAR(static_cast<double>(count), 2.5, 0.5);
+  for (const std::size_t count : in_column) EXPECT_EQ(count, kHeight / 4);
 }
 
 TEST(Sampling, DrawsNoPointTwiceAndInTheEndAllOfThem) {
@@ -88,7 +117,7 @@ TEST(Sampling, DrawsNoPointTwiceAndInTheEndAllOfThem) {
   std::set<std::uint32_t> drawn;
   for (int round = 0; round < 4; ++round) {
     Samples samples;
-    sampler.draw(cloud, &labels, 4000, round, samples);
+    draw(sampler, cloud, &labels, 4000, round, samples);
     EXPECT_EQ(samples.size(), round < 3 ? 4000u : 3360u);
     drawn.insert(samples.index.begin(), samples.index.end());
   }
@@ -99,25 +128,30 @@ TEST(Sampling, BeginsAnewWithEveryFrame) {
   const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   Sampler sampler;
   Samples first, second;
-  sampler.draw(cloud, nullptr, 15000, 1, first);
+  draw(sampler, cloud, nullptr, 15000, 1, first);
   sampler.begin();
-  sampler.draw(cloud, nullptr, 15000, 1, second);
+  draw(sampler, cloud, nullptr, 15000, 1, second);
   EXPECT_EQ(first.index, second.index);
 }
 
 TEST(SpaceCurve, GoesFromCellToNeighborAndLeavesNoneOut) {
-  constexpr std::uint32_t kSide = 8;
-  std::vector<Vec3> cell_at(kSide * kSide * kSide, Vec3(-1, -1, -1));
-  for (std::uint32_t x = 0; x < kSide; ++x) {
-    for (std::uint32_t y = 0; y < kSide; ++y) {
-      for (std::uint32_t z = 0; z < kSide; ++z) {
-        const std::uint32_t place = hilbertPlace(x, y, z);
-        ASSERT_LT(place, cell_at.size());
-        cell_at[place] = Vec3(x, y, z);
-      }
-    }
+  constexpr std::size_t kSide = 8, kCells = kSide * kSide * kSide;
+  std::vector<float> x, y, z;
+  for (std::size_t k = 0; k < kCells; ++k) {
+    x.push_back(static_cast<float>(k / kSide / kSide) + 0.5f),
+        y.push_back(static_cast<float>(k / kSide % kSide) + 0.5f);
+    z.push_back(static_cast<float>(k % kSide) + 0.5f);
   }
-  for (std::size_t k = 1; k < cell_at.size(); ++k) EXPECT_EQ((cell_at[k] - cell_at[k - 1]).norm(), 1.0) << k;
+  for (const kernels::Loops* table : kernels::allLoops()) {
+    std::vector<std::uint32_t> place(kCells);
+    table->places({{0.0f, 0.0f, 0.0f}, 1.0f}, x.data(), y.data(), z.data(), kCells, place.data());
+    std::vector<Vec3> cell_at(kCells, Vec3(-1, -1, -1));
+    for (std::size_t k = 0; k < kCells; ++k) {
+      ASSERT_LT(place[k], kCells);
+      cell_at[place[k]] = Vec3(x[k], y[k], z[k]);
+    }
+    for (std::size_t k = 1; k < kCells; ++k) EXPECT_EQ((cell_at[k] - cell_at[k - 1]).norm(), 1.0) << k;
+  }
 }
 
 TEST(SpaceCurve, KeepsItsOrderBesideAPointFarAway) {

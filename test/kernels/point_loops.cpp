@@ -128,6 +128,7 @@ TEST(Around, SumsWhatIsWithinReach) {
 
 TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
   const Points p(200);
+  const FlatSide kSide = {1, 0, 0, -0.1f};
   for (const Shape& shape : kShapes) {
     std::vector<std::vector<float>> results;
     for (const Loops* table : allLoops()) {
@@ -137,6 +138,11 @@ TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
       table->balls(p.x.data(), p.y.data(), p.z.data(), 200, 64, {&ball[0], &ball[4], &ball[8], &ball[12]});
       all.insert(all.end(), ball.begin(), ball.end());
       table->tolerances({0.001f, 0.002f, 0.4f, 0.001f}, p.z.data(), 200, &all[0]);
+      std::uint32_t labels[kPointsPerRun];
+      const FlatShape flat = flattened(shape, Vec3::Zero());
+      const LabelTarget target = {&flat, {&kSide, 1}, 1};
+      table->label({0.1f, 0.0f, 0.4f, 0.0f}, &target, 1, p.x.data(), p.y.data(), p.z.data(), labels);
+      all.insert(all.end(), labels, labels + kPointsPerRun);
       results.push_back(all);
       EXPECT_EQ(results.front(), results.back()) << table->name;
     }

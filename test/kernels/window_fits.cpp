@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/random.h"
 #include "test/support/exact_shapes.h"
@@ -24,8 +26,20 @@ PointImage imageOf(const Cloud& cloud) {
 
 WindowTask taskAt(const Cloud& cloud, std::size_t pixel, std::size_t half_width) {
   const float depth = cloud.z[pixel];
-  return {pixel,  half_width, (half_width + 1) / 2, depth, cloud.x[pixel] / depth, cloud.y[pixel] / depth, 0.04f,
-          0.005f, 6};
+  return {
+      pixel, half_width, (half_width + 1) / 2, depth, cloud.x[pixel] / depth, cloud.y[pixel] / depth, 0.04f, 0.005f, 6,
+      0.0f,  0.0f};
+}
+
+/// With the pitch that these clouds have.
+WindowTask onGrid(WindowTask task, const Cloud& cloud) {
+  const std::size_t last = cloud.size() - 1;
+  const auto pitch = [&cloud, last](const std::vector<float>& values, std::uint32_t count) {
+    const double first_ratio = static_cast<double>(values[0]) / cloud.z[0];
+    return static_cast<float>((static_cast<double>(values[last]) / cloud.z[last] - first_ratio) / (count - 1.0));
+  };
+  task.u_per_column = pitch(cloud.x, cloud.width), task.v_per_row = pitch(cloud.y, cloud.height);
+  return task;
 }
 
 /// Points along the same rays at other depths.
@@ -41,9 +55,16 @@ Cloud roughCloud(std::uint64_t seed) {
     scale(cloud, i, 1.0f + 0.001f * static_cast<float>(random.gaussian()));
     if (i % cloud.width > 100) scale(cloud, i, 1.3f);
     if (random.uniform() < 0.05) scale(cloud, i, 1.02f);
-    if (random.uniform() < 0.1) cloud.setPoint(i, 0.0f, 0.0f, 0.0f, {});
+    if (random.uniform() < 0.1 && i > 0 && i + 1 < cloud.size()) cloud.setPoint(i, 0.0f, 0.0f, 0.0f, {});
   }
   return cloud;
+}
+
+/// Each instruction set, from points and on the grid of a pinhole camera.
+std::vector<std::pair<const Loops*, bool>> allWays() {
+  std::vector<std::pair<const Loops*, bool>> ways;
+  for (const Loops* loops : allLoops()) ways.insert(ways.end(), {{loops, false}, {loops, true}});
+  return ways;
 }
 
 TEST(WindowFits, AgreeWithTheDefinitionInDouble) {
@@ -54,8 +75,8 @@ TEST(WindowFits, AgreeWithTheDefinitionInDouble) {
       if (!cloud.valid(pixel)) continue;
       const WindowTask task = taskAt(cloud, pixel, half_width);
       const WindowPlane plain = test::plainWindowFit(imageOf(cloud), task);
-      for (const Loops* loops : allLoops()) {
-        const WindowPlane found = loops->fitWindow(imageOf(cloud), task);
+      for (const auto& [loops, grid] : allWays()) {
+        const WindowPlane found = loops->fitWindow(imageOf(cloud), grid ? onGrid(task, cloud) : task);
         // A pixel on the threshold may fall to either side of it: it weighs one in the window's.
         ASSERT_NEAR(found.used, plain.used, 1) << loops->name << " at " << pixel;
         if (found.used != plain.used || plain.used == 0) continue;
@@ -75,7 +96,8 @@ TEST(WindowFits, GiveTheSameBitsOnEveryInstructionSet) {
   const Cloud cloud = roughCloud(52);
   for (std::size_t pixel = 0; pixel < cloud.size(); pixel += 31) {
     if (!cloud.valid(pixel)) continue;
-    const WindowTask task = taskAt(cloud, pixel, 3 + pixel % 9);
+    WindowTask task = taskAt(cloud, pixel, 3 + pixel % 9);
+    if (pixel % 2 == 0) task = onGrid(task, cloud);
     const WindowPlane first = (*allLoops().begin())->fitWindow(imageOf(cloud), task);
     for (const Loops* loops : allLoops()) {
       const WindowPlane found = loops->fitWindow(imageOf(cloud), task);
@@ -95,8 +117,9 @@ TEST(WindowFits, ReadNothingBeyondASmallImage) {
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       cloud.setPoint(i, 0.01f * static_cast<float>(i % width), 0.01f * static_cast<float>(i / width), 1.0f, {});
     }
-    const WindowTask task = taskAt(cloud, cloud.size() / 2, 7);
-    for (const Loops* loops : allLoops()) {
+    WindowTask task = taskAt(cloud, cloud.size() / 2, 7);
+    for (const auto& [loops, grid] : allWays()) {
+      task.u_per_column = task.v_per_row = grid ? 0.01f : 0.0f;
       const WindowPlane found = loops->fitWindow(imageOf(cloud), task);
       // One column is a line: no plane.
       EXPECT_EQ(found.used, width == 1 ? 0 : static_cast<int>(cloud.size())) << loops->name;

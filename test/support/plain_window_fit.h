@@ -47,14 +47,18 @@ inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, con
   kernels::WindowPlane plane =
       plainPass(image, task, static_cast<int>(task.inner_half_width),
                 [&](double, double, double d) { return std::abs(1.0 / (1.0 + d) - 1.0) < task.largest_jump; });
-  if (plane.used < task.fewest_at_start) return {};
-  for (int pass = 0; pass < 2 && plane.used > 0; ++pass) {
-    plane = plainPass(image, task, static_cast<int>(task.half_width), [&](double u, double v, double d) {
+  if (plane.used < task.fewest_at_start || plane.used == 0) return {};
+  const int reach = static_cast<int>(task.half_width);
+  const auto refit = [&](double tolerance) {
+    return plainPass(image, task, reach, [&](double u, double v, double d) {
       const double fitted = plane.a * u + plane.b * v + plane.c;
-      return std::abs(1.0 / (1.0 + d) - 1.0 / (1.0 + fitted)) < task.tolerance;
+      return std::abs(1.0 / (1.0 + d) - 1.0 / (1.0 + fitted)) < tolerance;
     });
-  }
-  return plane;
+  };
+  const int points = plainPass(image, task, reach, [](double, double, double d) { return d == d; }).used;
+  plane = refit(task.tolerance);
+  if (plane.used == 0 || plane.used > 0.97 * points) return plane;
+  return refit(task.tolerance);
 }
 
 }  // namespace primitect::test

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of points that follow each other in a cloud, and the share of them that samples are drawn from.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/loops.h"
+#include "primitect/cloud.h"
+
+namespace primitect {
+
+/// Runs of kernels::kPointsPerRun points; the last one of a cloud may be shorter.
+struct PointRuns {
+  std::vector<std::uint32_t> number;   ///< of each run in the cloud, rising
+  std::vector<float> x, y, z, radius;  ///< of balls around their points (m); radius -1: all are missing
+
+  std::size_t size() const { return number.size(); }
+};
+
+/// All runs of a cloud.
+void findRuns(const Cloud& cloud, PointRuns& all);
+
+/// Those that samples are drawn from: every so many, at least every sixteenth, so that about 65536 points are left. Of
+/// an image every row and every run of columns has its share: a few thousand samples are spread over the cloud as those
+/// of all points are.
+void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some);
+
+}  // namespace primitect
