@@ -26,7 +26,7 @@ void findRuns(const Cloud& cloud, PointRuns& all) {
 }
 
 void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some) {
-  constexpr std::size_t kEnough = 65536, kFewest = 16;
+  constexpr std::size_t kEnough = 262144, kFewest = 16;
   const std::size_t step = std::clamp<std::size_t>(cloud.size() / kEnough, 1, kFewest);
   resize(some, all.size());
   std::size_t count = 0, row = 0, column = 0;  // of the image, where the run begins

@@ -23,7 +23,7 @@ struct PointRuns {
 /// All runs of a cloud.
 void findRuns(const Cloud& cloud, PointRuns& all);
 
-/// Those that samples are drawn from: every so many, at least every sixteenth, so that about 65536 points are left. Of
+/// Those that samples are drawn from: every so many, at least every sixteenth, so that about 262144 points are left. Of
 /// an image every row and every run of columns has its share: a few thousand samples are spread over the cloud as those
 /// of all points are.
 void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some);
