@@ -7,10 +7,10 @@
 
 #include <cstring>
 #include <limits>
-#include <regex>
 #include <stdexcept>
 
 #include "test/support/scenes.h"
+#include "test/support/stages.h"
 
 namespace primitect {
 namespace {
@@ -172,24 +172,16 @@ TEST(Detector, RefusesParametersOutOfRange) {
   EXPECT_THROW(Detector{params}, std::invalid_argument);
 }
 
-/// Votes and what is made of them take turns: each run of turns as one.
-std::string withoutTurns(const std::string& stages) {
-  return std::regex_replace(stages, std::regex("vote (vote |segment )*segment "), "vote segment ");
-}
-
 TEST(Detector, NamesItsStagesInOrderInEachRound) {
   Params params;
   params.rounds = 2;
   Detector detector(params);
-  std::string stages;
-  detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + " "; });
   // Noise, so that something is left for the second round.
   Random random(43);
   std::vector<SurfacePoint> points;
   for (int i = 0; i < 4000; ++i) points.push_back({test::randomPoint(random), test::randomDirection(random)});
-  detector.detect(test::cloudOf(points));
   const std::string round = "sample normals vote segment ";
-  EXPECT_EQ(withoutTurns(stages), round + round + round + "look closer measure ");
+  EXPECT_EQ(test::stagesOf(detector, test::cloudOf(points)), round + round + round + "look closer measure ");
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {

@@ -12,6 +12,7 @@
 
 #include "primitect/detector.h"
 #include "test/support/scenes.h"
+#include "test/support/stages.h"
 
 namespace primitect {
 namespace {
@@ -41,14 +42,6 @@ std::vector<double> numbersOf(const Detections& detections) {
     numbers.insert(numbers.end(), item.covariance.begin(), item.covariance.end());
   }
   return numbers;
-}
-
-std::string stagesOf(Detector& detector, const Cloud& cloud, const Effort& effort) {
-  std::string stages;
-  detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + ", "; });
-  detector.detect(cloud, effort);
-  detector.onStageDone(nullptr);
-  return stages;
 }
 
 bool finds(const Detections& detections, Kind kind) {
@@ -153,8 +146,8 @@ TEST(Effort, OfAllGivesTheBitsOfNone) {
 TEST(OutOfTime, SkipsTheRestOfTheSearchAndStillMeasures) {
   const Cloud cloud = largeTabletop();
   Detector detector{Params()};
-  EXPECT_EQ(stagesOf(detector, cloud, {1.0, [] { return true; }}),
-            "sample, normals, vote, segment, look closer, measure, ");
+  EXPECT_EQ(test::stagesOf(detector, cloud, {1.0, [] { return true; }}),
+            "sample normals vote segment look closer measure ");
   const Detections first_round = detector.detect(cloud, {1.0, [] { return true; }});
   EXPECT_EQ(first_round.samples, 2048u);
   ASSERT_TRUE(finds(first_round, Kind::plane));

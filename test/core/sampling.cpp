@@ -90,7 +90,7 @@ TEST(Sampling, SpreadsLaterRoundsOverWhatIsFree) {
 }
 
 TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImage) {
-  constexpr std::uint32_t kWidth = 640, kHeight = 480;
+  constexpr std::uint32_t kWidth = 1280, kHeight = 960;
   Cloud cloud;
   cloud.reset(kWidth, kHeight, false);
   PointRuns all, some;
@@ -103,8 +103,8 @@ TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImage) {
     ++in_row[run * kernels::kPointsPerRun / kWidth];
     ++in_column[run * kernels::kPointsPerRun % kWidth / kernels::kPointsPerRun];
   }
-  // Of the ten runs in a row two or three are chosen, of those in a column every fourth.
-  for (const std::size_t count : in_row) EXPECT_NEAR(static_cast<double>(count), 2.5, 0.5);
+  // Of the twenty runs in a row five are chosen, of those in a column every fourth.
+  for (const std::size_t count : in_row) EXPECT_EQ(count, 5u);
   for (const std::size_t count : in_column) EXPECT_EQ(count, kHeight / 4);
 }
 

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages that a detector goes through in a frame.
+#pragma once
+
+#include <regex>
+#include <string>
+
+#include "primitect/detector.h"
+
+namespace primitect::test {
+
+/// Names of the stages in their order. Votes and what is made of them take turns: each run of turns counts as one.
+inline std::string stagesOf(Detector& detector, const Cloud& cloud, const Effort& effort = {}) {
+  std::string stages;
+  detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + " "; });
+  detector.detect(cloud, effort);
+  detector.onStageDone(nullptr);
+  return std::regex_replace(stages, std::regex("vote (vote |segment )*segment "), "vote segment ");
+}
+
+}  // namespace primitect::test
