@@ -235,8 +235,12 @@ TEST(TabletopFrames, DoNotDemandTheRimOfABox) {
   for (std::size_t t = 0; t < frame.truth.size(); ++t) {
     if (pixels[t] < static_cast<int>(kLeastPixels) || frame.truth[t].concave) continue;
     rims += 4 * wide[t] < pixels[t] ? 1 : 0;
-    if (4 * wide[t] < pixels[t]) EXPECT_FALSE(frame.truth[t].must) << t;
-    if (2 * wide[t] > pixels[t]) EXPECT_TRUE(frame.truth[t].must) << t;
+    if (4 * wide[t] < pixels[t]) {
+      EXPECT_FALSE(frame.truth[t].must) << t;
+    }
+    if (2 * wide[t] > pixels[t]) {
+      EXPECT_TRUE(frame.truth[t].must) << t;
+    }
   }
   EXPECT_GE(rims, 1);
 }

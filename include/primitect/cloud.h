@@ -31,6 +31,9 @@ struct Cloud {
   std::size_t size() const { return x.size(); }
   bool organized() const { return height > 1; }
   bool hasNormals() const { return !nx.empty() && nx.size() == x.size(); }
+  void dropNormals() {
+    for (auto* values : {&nx, &ny, &nz}) values->clear();
+  }
   bool valid(std::size_t i) const { return !std::isnan(z[i]); }
 
   /// Makes room for width * height points, all missing; keeps the memory of earlier frames.

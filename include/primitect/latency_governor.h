@@ -25,8 +25,9 @@ class LatencyGovernor {
   /// A frame begins; what was asked in one that never ended is forgotten.
   void beginFrame();
 
-  /// Asked in the middle of a frame, always at the same places: so many seconds after its beginning, would going on
-  /// with the search miss the bound? Judged by how frames before went on from the same place.
+  /// Asked in the middle of a frame, for the first, second, ... time: so many seconds after its beginning, would going
+  /// on with the search miss the bound? Judged by how frames before went on from there. A search that ends early is
+  /// asked less often: then its last place is judged by what comes after an earlier one, which is longer.
   bool outOfTime(double elapsed);
 
   /// The frame is done and took so many seconds.

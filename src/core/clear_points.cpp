@@ -120,8 +120,8 @@ struct Places {
 
 /// The places of points on the surface, which noise across it does not move: to leave out points by where they
 /// themselves are would keep those that it moved away from the neighbour. Clear are those whose normal agrees.
-void findPlaces(const Cloud& cloud, const Detection& detection, const NoiseModel& noise, const std::uint32_t* points,
-                Places& places) {
+void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection& detection, const NoiseModel& noise,
+                const std::uint32_t* points, Places& places) {
   constexpr double kReach = 3.5;  // standard deviations: both sides of where two shapes meet
   float *x = places.x, *y = places.y, *z = places.z;
   for (std::size_t k = 0; k < places.count; ++k) {
@@ -134,9 +134,11 @@ void findPlaces(const Cloud& cloud, const Detection& detection, const NoiseModel
     const float away = feet.distance[k];
     x[k] -= away * feet.nx[k], y[k] -= away * feet.ny[k], z[k] -= away * feet.nz[k];
     places.clear[k] = true;
-    if (!cloud.hasNormals()) continue;
+    if (!normals.taken || !cloud.hasNormals()) continue;
     const std::uint32_t i = points[k];
-    const float cosine = side * (cloud.nx[i] * feet.nx[k] + cloud.ny[i] * feet.ny[k] + cloud.nz[i] * feet.nz[k]);
+    const float away_from_sensor = cloud.nx[i] * cloud.x[i] + cloud.ny[i] * cloud.y[i] + cloud.nz[i] * cloud.z[i];
+    const float turn = normals.towards_sensor && away_from_sensor > 0.0f ? -side : side;
+    const float cosine = turn * (cloud.nx[i] * feet.nx[k] + cloud.ny[i] * feet.ny[k] + cloud.nz[i] * feet.nz[k]);
     places.clear[k] = !(cosine < least);  // a missing one says nothing
   }
 }
@@ -157,14 +159,20 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
 
 }  // namespace
 
-ClearPoints::ClearPoints(const Cloud& cloud, const std::vector<Detection>& detections,
+ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
                          const std::vector<std::uint32_t>& labels, const std::vector<std::uint32_t>& far_sides,
                          const NoiseModel& noise)
-    : cloud_(cloud), detections_(detections), labels_(labels), far_sides_(far_sides), noise_(noise) {
+    : cloud_(cloud),
+      normals_(normals),
+      detections_(detections),
+      labels_(labels),
+      far_sides_(far_sides),
+      noise_(noise),
+      depth_image_(cloud.organized() && noise.depth_share > 0.0) {
   for (const std::uint32_t label : far_sides) {
     if (label > 0 && (with_far_side_.empty() || with_far_side_.back() != label)) with_far_side_.push_back(label);
   }
-  if (cloud.organized()) return;
+  if (depth_image_) return;
   for (const Detection& detection : detections) parts_.emplace_back(detection.shape, detection.extent);
 }
 
@@ -192,7 +200,7 @@ std::vector<std::uint32_t> ClearPoints::apart(std::size_t detection, const std::
   Places places;
   for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
     places.count = std::min(kAtOnce, points.size() - begin);
-    findPlaces(cloud_, detections_[detection], noise_, points.data() + begin, places);
+    findPlaces(cloud_, normals_, detections_[detection], noise_, points.data() + begin, places);
     places.findBall();
     for (std::size_t other = 0; other < shapes.size(); ++other) {
       if (other != detection) leaveOutNear(shapes[other], parts_[other], places);
@@ -206,7 +214,7 @@ std::vector<std::uint32_t> ClearPoints::apart(std::size_t detection, const std::
 
 std::vector<std::uint32_t> ClearPoints::of(std::size_t detection, const std::vector<std::uint32_t>& points) const {
   const auto label = static_cast<std::uint32_t>(detection + 1);
-  std::vector<std::uint32_t> result = cloud_.organized() ? surrounded(label, points) : apart(detection, points);
+  std::vector<std::uint32_t> result = depth_image_ ? surrounded(label, points) : apart(detection, points);
   return enough(result.size(), points.size()) ? result : points;
 }
 

@@ -14,6 +14,12 @@
 
 namespace primitect {
 
+/// How normals that the cloud brings are taken.
+struct CloudNormals {
+  bool taken = true;           ///< false: as if there were none
+  bool towards_sensor = true;  ///< turned to the origin first
+};
+
 /// Of one frame. Labels go by distance alone: within the noise of a shape lie also points of what it touches, and where
 /// two shapes meet, noise decides to which a point is given. Few as they are, such points all err to the same side, and
 /// thousands of others do not average that away.
@@ -21,13 +27,14 @@ class ClearPoints {
  public:
   /// All must stay; `labels` are those of the detections, as dropFarSides() (far_sides.h) leaves them, `far_sides` what
   /// it took.
-  ClearPoints(const Cloud& cloud, const std::vector<Detection>& detections, const std::vector<std::uint32_t>& labels,
-              const std::vector<std::uint32_t>& far_sides, const NoiseModel& noise);
+  ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
+              const std::vector<std::uint32_t>& labels, const std::vector<std::uint32_t>& far_sides,
+              const NoiseModel& noise);
 
   /// Those of a detection's points (indices in the cloud)
-  ///   organized cloud      that are surrounded by others of the same label, as far as the noise reaches, and not
+  ///   depth image          with no other label on a ring of eight pixels, as far away as the noise reaches, and not
   ///                        on the rim of a wall whose inside is seen, too
-  ///   unorganized cloud    whose place on the surface is far from all other detections, beyond the noise,
+  ///   any other cloud      whose place on the surface is far from all other detections, beyond the noise,
   ///                        and whose own normal, if it has one, is about the surface's
   /// all of them where too few would be left.
   std::vector<std::uint32_t> of(std::size_t detection, const std::vector<std::uint32_t>& points) const;
@@ -37,12 +44,14 @@ class ClearPoints {
   std::vector<std::uint32_t> apart(std::size_t detection, const std::vector<std::uint32_t>& points) const;
 
   const Cloud& cloud_;
+  CloudNormals normals_;
   const std::vector<Detection>& detections_;
   const std::vector<std::uint32_t>& labels_;
   const std::vector<std::uint32_t>& far_sides_;
   std::vector<std::uint32_t> with_far_side_;  ///< labels, some of them more than once
   NoiseModel noise_;
-  std::vector<ObservedPart> parts_;  ///< of the detections of an unorganized cloud
+  bool depth_image_;
+  std::vector<ObservedPart> parts_;  ///< of the detections, but of a depth image's
 };
 
 }  // namespace primitect

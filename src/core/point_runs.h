@@ -23,9 +23,9 @@ struct PointRuns {
 /// All runs of a cloud.
 void findRuns(const Cloud& cloud, PointRuns& all);
 
-/// Those that samples are drawn from: every so many, at least every sixteenth, so that about 262144 points are left. Of
-/// an image every row and every run of columns has its share: a few thousand samples are spread over the cloud as those
-/// of all points are.
+/// Those that samples are drawn from: all, or one of every so many (sixteen at most), so that about 262144 measured
+/// points are left. Which one of them is as good as random, but the same every time: a few thousand samples are spread
+/// over the cloud as those of all points are.
 void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some);
 
 }  // namespace primitect

@@ -38,6 +38,9 @@ bool grow(const Samples& samples, const HeldGains& held, const ProposalRules& ru
   return true;
 }
 
+/// What so many stronger candidates could not explain, a weaker one will not.
+constexpr std::uint8_t kTries = 2;
+
 }  // namespace
 
 void Proposer::begin(HeldGains held) {
@@ -47,7 +50,6 @@ void Proposer::begin(HeldGains held) {
 
 bool Proposer::wants(std::uint32_t sample) const {
   constexpr float kWell = 0.4f;
-  constexpr int kTries = 2;  // what so many stronger candidates could not explain, a weaker one will not
   return held_[sample] <= kWell && failures_[sample] < kTries;
 }
 
@@ -67,7 +69,7 @@ void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::ve
       pool.push_back(std::move(hypothesis));
       continue;
     }
-    for (const std::uint32_t i : part_) ++failures_[i];
+    for (const std::uint32_t i : part_) failures_[i] = std::min<std::uint8_t>(failures_[i] + 1, kTries);
   }
 }
 

@@ -71,8 +71,6 @@ void Verification::propose(const std::vector<Candidate>& candidates) {
   proposer_.propose(samples_, graph_, candidates, rules(), pool_, refusals_);
 }
 
-void Verification::settle() { select(); }
-
 std::vector<std::uint32_t> Verification::unexplained() {
   const HeldGains held = heldByChosen();
   std::vector<std::uint32_t> rest;
@@ -201,7 +199,7 @@ void Verification::assess() {
       segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
       segment.rival = rival.kind;
     }
-    segment.confidence = confidenceOf(kind, segment.evidence);
+    segment.confidence = confidenceOf(kind, segment.evidence, scale_.depth_camera);
   }
 }
 

@@ -46,7 +46,7 @@ class Verification {
   void propose(const std::vector<Candidate>& candidates);
 
   /// Selects from all that was proposed, as it was proposed: fits again have time until conclude().
-  void settle();
+  void select();
 
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   std::vector<std::uint32_t> unexplained();
@@ -63,7 +63,6 @@ class Verification {
 
  private:
   ProposalRules rules() const;
-  void select();
   void dropLikenesses();
   void refit(int times);
   void refit(const Segment& segment, const HeldGains& held);

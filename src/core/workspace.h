@@ -180,16 +180,22 @@ struct Detector::Workspace {
     return (voting.references() + kBatch - 1) / kBatch;
   }
 
-  /// Votes and proposals go on in turns: references that are explained by now need not vote. Those of a batch are
+  /// Votes and proposals take turns: references that are explained by now need not vote. Those of a batch are
   /// spread over all voters. place: index of a voter among all samples.
   template <class Place>
   void search(const Samples& voters, const Place& place) {
     voting.begin(voters, result.scene_diameter);
     candidates.clear();
+    searchFrom(0, place);
+  }
+
+  /// The candidates hold what batches before this one voted for.
+  template <class Place>
+  void searchFrom(std::size_t next, const Place& place) {
     std::vector<Candidate> strongest;
     for (std::size_t batch = 0; batch < batches(); ++batch) {
       const std::size_t pending = candidates.size();
-      for (std::size_t k = batch; k < voting.references(); k += batches()) {
+      for (std::size_t k = batch; batch >= next && k < voting.references(); k += batches()) {
         const std::uint32_t reference = voting.reference(k);
         if (verification.wants(place(reference))) voting.voteAt(reference, candidates);
       }
@@ -210,8 +216,10 @@ struct Detector::Workspace {
     if (round == 0) measureNoise(cloud);
     const auto first = static_cast<std::uint32_t>(verification.samples().size());
     verification.addSamples(samples);
-    search(samples, [first](std::uint32_t voter) { return first + voter; });
-    verification.settle();
+    const auto place = [first](std::uint32_t voter) { return first + voter; };
+    // The noise was measured by the votes of the first batch.
+    round == 0 ? searchFrom(1, place) : search(samples, place);
+    verification.select();
     useVerified();
   }
 
@@ -260,7 +268,8 @@ struct Detector::Workspace {
     std::vector<std::uint32_t> far_sides;
     if (verification.noise().depth_share > 0.0) far_sides = dropFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, result.items.size(), most, points);
-    const ClearPoints clear(cloud, result.items, labels, far_sides, verification.noise());
+    const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
+    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     const Measurement measurement(cloud, params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
     for (std::size_t k = 0; k < result.items.size(); ++k) {

@@ -156,14 +156,15 @@ void readTriples(const PointCloud2& message, Slots slots, Store store) {
 
 std::string readCloud(const sensor_msgs::PointCloud2& message, const DepthRange& range, bool with_normals,
                       Cloud& cloud) {
-  // The memory stays, also that of earlier points.
-  cloud.prepare(0, 0, false);
-  if (message.width == 0 || message.height == 0) return {};
   with_normals = with_normals && bringsNormals(message);
+  const bool empty = message.width == 0 || message.height == 0;
   Slots position, normal;
-  std::string error = checkMessage(message, with_normals, position, normal);
-  if (!error.empty()) return error;
-
+  std::string error = empty ? std::string() : checkMessage(message, with_normals, position, normal);
+  if (empty || !error.empty()) {
+    cloud.prepare(0, 0, false);
+    return error;
+  }
+  // The memory stays, also that of earlier points.
   cloud.prepare(message.width, message.height, with_normals);
   if (areFloats(position)) {
     readFloats(message, position, range, cloud);

@@ -48,6 +48,7 @@ Input readInput(const tools::DetectOptions& options, const std::string& path) {
   input.params = options.params.paramsFor(points.organized() || input.file.intrinsics, points.hasNormals());
   input.range = {static_cast<float>(input.params.min_depth), static_cast<float>(input.params.max_depth)};
   io::cutAtDepth(points, input.range, input.cloud);
+  if (!input.params.use_cloud_normals) input.cloud.dropNormals();
   return input;
 }
 

@@ -20,6 +20,7 @@ using test::SurfacePoint;
 
 constexpr double kSigma = 0.002;
 const NoiseModel kModel = {kSigma, 0.0, 0.3};
+const NoiseModel kDepthCamera = {0.0, kSigma, 0.3};
 const Plane kFloor = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
 const Sphere kBall = {Vec3(0, 0, 0.9), 0.1};
 
@@ -60,7 +61,7 @@ struct TwoHalves {
     }
   }
   std::vector<std::uint32_t> clear() const {
-    return ClearPoints(cloud, detections, labels, far_sides, kModel).of(0, of_left);
+    return ClearPoints(cloud, {}, detections, labels, far_sides, kDepthCamera).of(0, of_left);
   }
 };
 
@@ -109,6 +110,7 @@ struct BallOnFloor {
   Cloud cloud;
   std::vector<Detection> detections;
   std::vector<std::uint32_t> labels, far_sides;
+  CloudNormals normals;
   static constexpr std::size_t kCount = 2000;
 
   BallOnFloor() {
@@ -121,7 +123,7 @@ struct BallOnFloor {
     labels.resize(2 * kCount, 2);
   }
   std::vector<std::uint32_t> clearOfFloor() const {
-    return ClearPoints(cloud, detections, labels, far_sides, kModel).of(0, upTo(kCount));
+    return ClearPoints(cloud, normals, detections, labels, far_sides, kModel).of(0, upTo(kCount));
   }
 };
 
@@ -161,6 +163,18 @@ TEST(ClearPoints, HaveNormalsLikeTheSurfaceOrNone) {
   scene.cloud.setNormal(without, 0.0f, 0.0f, 0.0f);
   EXPECT_FALSE(contains(scene.clearOfFloor(), turned));
   EXPECT_TRUE(contains(scene.clearOfFloor(), without));
+}
+
+TEST(ClearPoints, TurnNormalsToTheSensorOrTakeNoneAsTheSamplesDo) {
+  BallOnFloor scene;
+  const std::vector<std::uint32_t> clear = scene.clearOfFloor();
+  ASSERT_LT(clear.size(), BallOnFloor::kCount);
+  for (std::size_t i = 0; i < BallOnFloor::kCount; ++i) scene.cloud.setNormal(i, 0.0f, 0.0f, 1.0f);  // away from it
+  EXPECT_EQ(scene.clearOfFloor(), clear);
+  scene.normals.towards_sensor = false;
+  EXPECT_EQ(scene.clearOfFloor(), upTo(BallOnFloor::kCount));  // none agrees: too few are left
+  scene.normals.taken = false;
+  EXPECT_EQ(scene.clearOfFloor(), clear);
 }
 
 /// Points all around a ball in front of a camera at the origin.

@@ -89,23 +89,46 @@ TEST(Sampling, SpreadsLaterRoundsOverWhatIsFree) {
   for (const int count : per_quarter) EXPECT_NEAR(count, 250, 3);
 }
 
-TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImage) {
-  constexpr std::uint32_t kWidth = 1280, kHeight = 960;
+/// How many of the chosen runs are in each row and in each column of runs of an image whose pixels are all measured.
+struct ChosenRuns {
+  std::size_t all, some;
+  std::vector<double> in_row, in_column;
+
+  ChosenRuns(std::uint32_t width, std::uint32_t height, bool flattened) {
+    Cloud cloud;
+    flattened ? cloud.reset(width * height, 1, false) : cloud.reset(width, height, false);
+    cloud.valid_count = width * height;
+    PointRuns runs, chosen;
+    findRuns(cloud, runs);
+    chooseRuns(cloud, runs, chosen);
+    all = runs.size(), some = chosen.size();
+    in_row.assign(height, 0.0), in_column.assign(width / kernels::kPointsPerRun, 0.0);
+    for (const std::uint32_t run : chosen.number) {
+      in_row[run * kernels::kPointsPerRun / width] += 1.0;
+      in_column[run * kernels::kPointsPerRun % width / kernels::kPointsPerRun] += 1.0;
+    }
+  }
+};
+
+TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImageAlsoOfAFlattenedOne) {
+  for (const bool flattened : {false, true}) {
+    const ChosenRuns chosen(1280, 960, flattened);
+    EXPECT_EQ(chosen.some, chosen.all / 4);
+    // Of the twenty runs in a row one of every four.
+    for (const double count : chosen.in_row) EXPECT_EQ(count, 5.0);
+    // Of the 960 in a column about a quarter: binomial, with a standard deviation of 13.
+    for (const double count : chosen.in_column) EXPECT_NEAR(count, 240.0, 65.0);
+  }
+}
+
+TEST(Sampling, LeavesOutNoneOfTheRunsOfAnImageWithFewMeasuredPoints) {
   Cloud cloud;
-  cloud.reset(kWidth, kHeight, false);
+  cloud.reset(1280, 960, false);
+  cloud.valid_count = 5000;
   PointRuns all, some;
   findRuns(cloud, all);
   chooseRuns(cloud, all, some);
-  ASSERT_EQ(all.size() * kernels::kPointsPerRun, cloud.size());
-  EXPECT_EQ(some.size(), all.size() / 4);
-  std::vector<std::size_t> in_row(kHeight, 0), in_column(kWidth / kernels::kPointsPerRun, 0);
-  for (const std::uint32_t run : some.number) {
-    ++in_row[run * kernels::kPointsPerRun / kWidth];
-    ++in_column[run * kernels::kPointsPerRun % kWidth / kernels::kPointsPerRun];
-  }
-  // Of the twenty runs in a row five are chosen, of those in a column every fourth.
-  for (const std::size_t count : in_row) EXPECT_EQ(count, 5u);
-  for (const std::size_t count : in_column) EXPECT_EQ(count, kHeight / 4);
+  EXPECT_EQ(some.size(), all.size());
 }
 
 TEST(Sampling, DrawsNoPointTwiceAndInTheEndAllOfThem) {

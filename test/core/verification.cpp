@@ -35,7 +35,7 @@ void addRound(Verification& verification, const Samples& samples, std::vector<Ca
   }
   verification.addSamples(samples);
   verification.propose(candidates);
-  verification.settle();
+  verification.select();
 }
 
 /// A frame, fed by rounds of points and what they vote for.
