@@ -21,8 +21,6 @@ SIGNS = (0, 1, 1, -1, -1, 1, 1)
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
 EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead")  # as compare's
 
-DEPTH_FRAMES = ("tabletop", "clutter")  # sets
-
 # numbers: those of EVIDENCE, a row a detection; right: 0 or 1 each; kind: index in KINDS
 Cases = namedtuple("Cases", "numbers right kind")
 
@@ -54,14 +52,6 @@ def experiments(clouds, only=None):
         if not only or recipe.set in only:
             result.setdefault(recipe, {})[method] = max(1, round(share * clouds))
     return [Experiment("calibrate", recipe, seeds, 1) for recipe, seeds in result.items()]
-
-
-def groups(lines):
-    """What has weights of its own: lines of depth frames, whose noise comes in waves and whose clutter is soft, and of
-    other clouds; without those that there are none of."""
-    depth = [line for line in lines if line["set"] in DEPTH_FRAMES]
-    others = [line for line in lines if line["set"] not in DEPTH_FRAMES]
-    return {name: group for name, group in (("Depth frames", depth), ("Other clouds", others)) if group}
 
 
 def is_right(found):

@@ -85,12 +85,6 @@ def test_what_need_not_be_found_is_right_when_its_kind_is():
     assert len(cases.right) == 1 and cases.numbers.shape == (1, len(calibration.EVIDENCE))
 
 
-def test_depth_frames_have_weights_of_their_own():
-    lines = [{"set": "tabletop"}, {"set": "paper-mixed"}, {"set": "clutter"}]
-    assert calibration.groups(lines) == {"Depth frames": [lines[0], lines[2]], "Other clouds": [lines[1]]}
-    assert list(calibration.groups(lines[1:2])) == ["Other clouds"]
-
-
 def test_weights_of_every_kind_become_rows_of_the_core():
     random = np.random.default_rng(2)
     detections = [found(kind, "right" if right else "wrong", evidence(right, random))

@@ -56,14 +56,7 @@ Features featuresOf(Kind kind, const Evidence& e) {
 
 // Printed by eval/calibrate; a row a kind. How far a shape runs on into nothing known tells no more than what is
 // against it; nor does the residual along the border.
-using Weights = std::array<Features, kKindCount>;
-constexpr Weights kOfDepthCameras = {{
-    {{-8.09, 0.558, 11.6, -7.01, -3.05, 0, 0}},       // plane
-    {{-7.7, 0, 13.2, -14.8, -6.69, 9.4, 0.746}},      // sphere
-    {{-14.8, 0.865, 0, 0, -1.11, 21, 8.31}},          // cylinder
-    {{-2.78, 0.969, 3.1, -16.6, -8.02, 4.57, 2.66}},  // cone
-}};
-constexpr Weights kOfOthers = {{
+constexpr std::array<Features, kKindCount> kWeights = {{
     {{-7.34, 0.877, 8.82, -6.38, -2.25, 0, 0}},        // plane
     {{-5.9, 0.0827, 7.92, -22.6, -4.69, 15.2, 1.29}},  // sphere
     {{-16.3, 2.03, 0, -4.64, -1.61, 12.1, 8.9}},       // cylinder
@@ -103,9 +96,9 @@ Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const 
   return evidence;
 }
 
-double confidenceOf(Kind kind, const Evidence& evidence, bool depth_camera) {
+double confidenceOf(Kind kind, const Evidence& evidence) {
   const Features features = featuresOf(kind, evidence);
-  const Features& weights = (depth_camera ? kOfDepthCameras : kOfOthers)[static_cast<std::size_t>(kind)];
+  const Features& weights = kWeights[static_cast<std::size_t>(kind)];
   const double sum = std::inner_product(features.begin(), features.end(), weights.begin(), 0.0);
   // What is no number says nothing.
   return std::isfinite(sum) ? 1.0 / (1.0 + std::exp(-sum)) : 0.0;

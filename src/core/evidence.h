@@ -17,8 +17,7 @@ Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const 
                         std::uint32_t self, const Hypothesis& hypothesis);
 
 /// Probability that the shape is there and of this kind, [0, 1]: logistic regression over the evidence of detections in
-/// simulated scenes whose truth is known (eval/calibrate). Depth cameras have weights of their own: the same numbers
-/// mean less where noise comes in waves and clutter is soft.
-double confidenceOf(Kind kind, const Evidence& evidence, bool depth_camera);
+/// simulated scenes whose truth is known (eval/calibrate).
+double confidenceOf(Kind kind, const Evidence& evidence);
 
 }  // namespace primitect
