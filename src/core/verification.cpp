@@ -199,7 +199,7 @@ void Verification::assess() {
       segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
       segment.rival = rival.kind;
     }
-    segment.confidence = confidenceOf(kind, segment.evidence, scale_.depth_camera);
+    segment.confidence = confidenceOf(kind, segment.evidence);
   }
 }
 
