@@ -20,6 +20,7 @@ struct SampleView {
 };
 
 /// How much work a frame may be. The default is all of it: the result then depends on cloud and parameters alone.
+/// Params::max_latency does nothing by itself: who has a clock asks a LatencyGovernor for the effort.
 struct Effort {
   /// Of samples, references and closer_samples, (0, 1]; what is less than leastShare() counts as that. With verify
   /// min_inliers goes down with them, to no less than 12: the same surface gets fewer samples. min_votes stays.

@@ -79,6 +79,8 @@ std::vector<Vec2> convexHull(const std::vector<Vec2>& all, double flat) {
 
 constexpr std::size_t kMostPoints = 4093;  // for what is a mean
 
+/// Enough to say which way a plane is longer. Prime, as above: the step through the points is then seldom in time with
+/// the rows of an image.
 constexpr std::size_t kMostForDirection = 1021;
 
 /// Direction of the largest spread of the points within the plane.

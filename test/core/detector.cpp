@@ -184,6 +184,20 @@ TEST(Detector, NamesItsStagesInOrderInEachRound) {
   EXPECT_EQ(test::stagesOf(detector, test::cloudOf(points)), round + round + round + "look closer measure ");
 }
 
+TEST(Detector, FindsASmallBallAmongAMillionPoints) {
+  // Samples are drawn from one run of points in three; the ball has four in a thousand of them.
+  Random random(45);
+  std::vector<SurfacePoint> points = patchOf(kTable, 1000000, 0.5, random);
+  const std::vector<SurfacePoint> ball = patchOf(kBall, 4000, random);
+  points.insert(points.begin() + 300000, ball.begin(), ball.end());
+  Detector detector{Params()};
+  const Detections& result = detector.detect(test::cloudOf(points));
+  const Sphere* sphere = only<Sphere>(result);
+  ASSERT_TRUE(sphere);
+  EXPECT_NEAR(sphere->radius, kBall.radius, 0.003);
+  EXPECT_TRUE(only<Plane>(result));
+}
+
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
   // A ball of 60 points on a table of 20000: too few samples in one round, when there is no closer look.
   Random random(44);
