@@ -19,6 +19,8 @@ target_precompile_headers(primitect_test_support PRIVATE
 # As executables are compiled: precompiled headers serve only what has the same flags.
 set_target_properties(primitect_test_support PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 target_compile_options(primitect_test_support PRIVATE -fPIE)
+# Tests are compiled more often than they run; what they test keeps its optimization.
+target_compile_options(primitect_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
 if(PRIMITECT_SANITIZE)
   # Address errors of the tests themselves are still found, undefined behaviour in the code under test only.
   target_compile_options(primitect_test_support PUBLIC -fno-sanitize=undefined)
