@@ -169,11 +169,15 @@ ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const 
       far_sides_(far_sides),
       noise_(noise),
       depth_image_(cloud.organized() && noise.depth_share > 0.0) {
-  for (const std::uint32_t label : far_sides) {
-    if (label > 0 && (with_far_side_.empty() || with_far_side_.back() != label)) with_far_side_.push_back(label);
+  if (depth_image_) {
+    has_far_side_.assign(detections.size() + 1, false);
+    for (const std::uint32_t label : far_sides) has_far_side_[label] = true;
+    return;
   }
-  if (depth_image_) return;
-  for (const Detection& detection : detections) parts_.emplace_back(detection.shape, detection.extent);
+  for (const Detection& detection : detections) {
+    shapes_.push_back(flattened(detection.shape, Vec3::Zero()));
+    parts_.emplace_back(detection.shape, detection.extent);
+  }
 }
 
 std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
@@ -183,27 +187,24 @@ std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
   constexpr int kRim = 2;
   const int radius = ringRadius(cloud_);
   const Ring ring(radius, cloud_.width), wide(kRim * radius, cloud_.width);
-  const bool has_far_side = std::find(with_far_side_.begin(), with_far_side_.end(), label) != with_far_side_.end();
   std::vector<std::uint32_t> result;
   result.reserve(points.size());
   for (const std::uint32_t i : points) {
     if (ring.meetsOther(label, cloud_, labels_, i)) continue;
-    if (!has_far_side || !wide.meets(label, cloud_, far_sides_, i)) result.push_back(i);
+    if (!has_far_side_[label] || !wide.meets(label, cloud_, far_sides_, i)) result.push_back(i);
   }
   return result;
 }
 
 std::vector<std::uint32_t> ClearPoints::apart(std::size_t detection, const std::vector<std::uint32_t>& points) const {
-  std::vector<kernels::FlatShape> shapes;
-  for (const Detection& other : detections_) shapes.push_back(flattened(other.shape, Vec3::Zero()));
   std::vector<std::uint32_t> result;
   Places places;
   for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
     places.count = std::min(kAtOnce, points.size() - begin);
     findPlaces(cloud_, normals_, detections_[detection], noise_, points.data() + begin, places);
     places.findBall();
-    for (std::size_t other = 0; other < shapes.size(); ++other) {
-      if (other != detection) leaveOutNear(shapes[other], parts_[other], places);
+    for (std::size_t other = 0; other < shapes_.size(); ++other) {
+      if (other != detection) leaveOutNear(shapes_[other], parts_[other], places);
     }
     for (std::size_t k = 0; k < places.count; ++k) {
       if (places.clear[k]) result.push_back(points[begin + k]);

@@ -48,10 +48,11 @@ class ClearPoints {
   const std::vector<Detection>& detections_;
   const std::vector<std::uint32_t>& labels_;
   const std::vector<std::uint32_t>& far_sides_;
-  std::vector<std::uint32_t> with_far_side_;  ///< labels, some of them more than once
   NoiseModel noise_;
   bool depth_image_;
-  std::vector<ObservedPart> parts_;  ///< of the detections, but of a depth image's
+  std::vector<bool> has_far_side_;          ///< of each label of a depth image
+  std::vector<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
+  std::vector<ObservedPart> parts_;         ///< the same
 };
 
 }  // namespace primitect

@@ -3,18 +3,16 @@
 // Storing points and normals; see cloud.h.
 #include "primitect/cloud.h"
 
+#include <algorithm>
+
 #include "kernels/loops.h"
 
 namespace primitect {
 
 void Cloud::reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals) {
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  const std::size_t count = static_cast<std::size_t>(new_width) * new_height;
-  width = new_width;
-  height = new_height;
-  valid_count = 0;
-  for (std::vector<float>* values : {&x, &y, &z}) values->assign(count, kMissing);
-  for (std::vector<float>* values : {&nx, &ny, &nz}) values->assign(with_normals ? count : 0, kMissing);
+  prepare(new_width, new_height, with_normals);
+  for (std::vector<float>* values : {&x, &y, &z, &nx, &ny, &nz}) std::fill(values->begin(), values->end(), kMissing);
 }
 
 void Cloud::prepare(std::uint32_t new_width, std::uint32_t new_height, bool with_normals) {

@@ -10,51 +10,22 @@
 
 #include "core/fitting.h"
 #include "core/flat.h"
+#include "core/label_runs.h"
 
 namespace primitect {
-
-namespace {
-
-/// Neighbours of the same label.
-struct Run {
-  std::uint32_t label, begin, end;
-};
-
-/// Labels that are compared at once.
-constexpr std::uint32_t kAtOnce = 16;
-
-bool allAre(std::uint32_t label, const std::uint32_t* labels) {
-  std::uint32_t different = 0;
-  for (std::uint32_t k = 0; k < kAtOnce; ++k) different |= labels[k] ^ label;
-  return different == 0;
-}
-
-/// Calls use(run) for all runs of a label above 0.
-template <class Use>
-void forRuns(const std::vector<std::uint32_t>& labels, const Use& use) {
-  const std::uint32_t count = static_cast<std::uint32_t>(labels.size());
-  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-    const std::uint32_t label = labels[begin];
-    while (end + kAtOnce <= count && allAre(label, labels.data() + end)) end += kAtOnce;
-    while (end < count && labels[end] == label) ++end;
-    if (label > 0) use(Run{label, begin, end});
-  }
-}
-
-}  // namespace
 
 void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
                     std::vector<LabelledPoints>& points) {
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
-  std::vector<Run> runs;
-  runs.reserve(labels.size() / kAtOnce);
-  forRuns(labels, [&](const Run& run) {
+  std::vector<LabelRun> runs;
+  runs.reserve(labels.size() / kLabelsAtOnce);
+  forLabelRuns(labels, [&](const LabelRun& run) {
     points[run.label - 1].all += run.end - run.begin;
     runs.push_back(run);
   });
   std::vector<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
-  for (const Run& run : runs) {
+  for (const LabelRun& run : runs) {
     LabelledPoints& of_label = points[run.label - 1];
     const std::size_t step = of_label.all / most + 1;
     std::size_t next = run.begin + rest[run.label - 1];

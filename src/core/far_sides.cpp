@@ -7,25 +7,27 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/seen_points.h"
+#include "core/flat.h"
+#include "core/label_runs.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 namespace {
 
-/// Points that are looked at together.
-constexpr std::size_t kAtOnce = 256;
-
-/// Calls use(i) for the points of this run [begin, end) on the far side.
+/// Calls use(i) for the points of this run on the far side.
 template <class Use>
-void forFarSide(const Cloud& cloud, const Detection& detection, std::size_t begin, std::size_t end, const Use& use) {
+void forFarSide(const Cloud& cloud, const kernels::FlatShape& shape, bool concave, const LabelRun& run,
+                const Use& use) {
+  constexpr std::size_t kAtOnce = 256;
+  float distance[kAtOnce], nx[kAtOnce], ny[kAtOnce], nz[kAtOnce];
   const float *x = cloud.x.data(), *y = cloud.y.data(), *z = cloud.z.data();
-  for (; begin < end; begin += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, end - begin);
-    const Feet<kAtOnce> feet(detection.shape, Vec3::Zero(), x + begin, y + begin, z + begin, count);
+  for (std::size_t begin = run.begin; begin < run.end; begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, run.end - begin);
+    kernels::loops().feet(shape, x + begin, y + begin, z + begin, count, {distance, nx, ny, nz});
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = begin + k;
-      const bool inside = feet.nx[k] * x[i] + feet.ny[k] * y[i] + feet.nz[k] * z[i] > 0.0f;
-      if (inside != detection.concave) use(i);
+      const bool inside = nx[k] * x[i] + ny[k] * y[i] + nz[k] * z[i] > 0.0f;
+      if (inside != concave) use(i);
     }
   }
 }
@@ -34,16 +36,17 @@ void forFarSide(const Cloud& cloud, const Detection& detection, std::size_t begi
 
 std::vector<std::uint32_t> dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
                                         std::vector<std::uint32_t>& labels) {
+  std::vector<kernels::FlatShape> shapes;
+  for (const Detection& detection : detections) shapes.push_back(flattened(detection.shape, Vec3::Zero()));
   std::vector<std::uint32_t> taken;
-  for (std::size_t begin = 0, end = 0; begin < labels.size(); begin = end) {
-    const std::uint32_t label = labels[begin];
-    while (end < labels.size() && labels[end] == label) ++end;
-    if (label == 0 || kindOf(detections[label - 1].shape) == Kind::plane) continue;
-    forFarSide(cloud, detections[label - 1], begin, end, [&taken, &labels](std::size_t i) {
+  forLabelRuns(labels, [&](const LabelRun& run) {
+    const Detection& detection = detections[run.label - 1];
+    if (kindOf(detection.shape) == Kind::plane) return;
+    forFarSide(cloud, shapes[run.label - 1], detection.concave, run, [&taken, &labels](std::size_t i) {
       taken.resize(labels.size());
       std::swap(taken[i], labels[i]);
     });
-  }
+  });
   return taken;
 }
 

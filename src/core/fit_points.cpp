@@ -17,8 +17,6 @@ namespace {
 /// What fills up lanes.
 constexpr float kNoWeight = std::numeric_limits<float>::infinity();
 
-std::size_t wholeLanes(std::size_t count) { return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes; }
-
 /// A point that is no number has no place.
 bool usable(const Samples& s, std::uint32_t i) { return std::isfinite(s.x[i] + s.y[i] + s.z[i]); }
 

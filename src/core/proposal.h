@@ -32,9 +32,6 @@ class Proposer {
   void propose(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
                const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals);
 
-  /// What explains the samples by now.
-  const HeldGains& held() const { return held_; }
-
  private:
   HeldGains held_;
   std::vector<std::uint8_t> failures_;  ///< of each sample: candidates that came to nothing there

@@ -14,6 +14,11 @@
 
 namespace primitect {
 
+/// The next multiple of the lanes that loops work in.
+constexpr std::size_t wholeLanes(std::size_t count) {
+  return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+}
+
 /// In float around one of them, so that no digits are lost.
 struct SeenPoints {
   Vec3 origin = Vec3::Zero();
@@ -45,7 +50,7 @@ struct SeenPoints {
 /// Some of them, evenly taken: for what is a mean over all. Filled up to whole lanes with copies of the last.
 template <std::size_t most>
 struct SomePoints {
-  static constexpr std::size_t kRoom = (most + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+  static constexpr std::size_t kRoom = wholeLanes(most);
 
   Vec3 origin;
   std::size_t count;  ///< without what fills up
@@ -62,7 +67,7 @@ struct SomePoints {
     }
   }
   /// With what fills up.
-  std::size_t filled() const { return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes; }
+  std::size_t filled() const { return wholeLanes(count); }
   Vec3 point(std::size_t k) const { return origin + Vec3(x[k], y[k], z[k]); }
 };
 

@@ -54,7 +54,6 @@ ProposalRules Verification::rules() const {
 void Verification::addSamples(Samples samples) {
   applyNoise(noise_, samples);
   samples_.append(samples);
-  refitted_.clear();
   graph_.build(samples_);
   const HeldGains nothing(samples_.size(), 0.0f);
   for (Hypothesis& hypothesis : pool_) evaluate(samples_, nothing, 1.0, hypothesis);
@@ -83,7 +82,7 @@ std::vector<std::uint32_t> Verification::unexplained() {
 void Verification::conclude() {
   constexpr int kRefusals = 4;
   select();
-  refit(2);
+  refit();
   assess();
   for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
     select();
@@ -173,14 +172,16 @@ void Verification::refit(const Segment& segment, const HeldGains& held) {
 }
 
 /// What was selected is fitted again; then it competes with what it was.
-void Verification::refit(int times) {
-  for (int time = 0; time < times; ++time) {
+void Verification::refit() {
+  constexpr int kTimes = 2;
+  std::vector<std::vector<std::uint32_t>> refitted;  // inliers that were fitted again
+  for (int time = 0; time < kTimes; ++time) {
     const HeldGains held = heldByChosen();
     const std::size_t before = pool_.size();
     for (const Segment& segment : segments_) {
       // The same samples hardly give another shape.
-      if (std::find(refitted_.begin(), refitted_.end(), segment.inliers) != refitted_.end()) continue;
-      refitted_.push_back(segment.inliers);
+      if (std::find(refitted.begin(), refitted.end(), segment.inliers) != refitted.end()) continue;
+      refitted.push_back(segment.inliers);
       refit(segment, held);
     }
     if (pool_.size() == before) return;

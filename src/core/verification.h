@@ -64,7 +64,7 @@ class Verification {
  private:
   ProposalRules rules() const;
   void dropLikenesses();
-  void refit(int times);
+  void refit();
   void refit(const Segment& segment, const HeldGains& held);
   void join(const Hypothesis& version, std::uint32_t origin);
   void split(const Segment& segment, const HeldGains& held);
@@ -81,7 +81,6 @@ class Verification {
   std::vector<Hypothesis> pool_;
   Selection selection_;
   std::vector<Segment> segments_;
-  std::vector<std::vector<std::uint32_t>> refitted_;  ///< inliers that were fitted again, of these samples
   Refusals refusals_;
 };
 

@@ -169,7 +169,7 @@ struct Detector::Workspace {
   void measureNoiseByVotes() {
     voting.begin(samples, result.scene_diameter);
     candidates.clear();
-    for (std::size_t k = 0; k < voting.references(); k += batches()) voting.voteAt(voting.reference(k), candidates);
+    voteBatch(0, [](std::uint32_t) { return true; });
     done("vote");
     sortByVotes(candidates);
     verification.measureNoise(samples, candidates);
@@ -180,8 +180,17 @@ struct Detector::Workspace {
     return (voting.references() + kBatch - 1) / kBatch;
   }
 
-  /// Votes and proposals take turns: references that are explained by now need not vote. Those of a batch are
-  /// spread over all voters. place: index of a voter among all samples.
+  /// The wanted references of a batch, which are spread over all voters, vote.
+  template <class Wanted>
+  void voteBatch(std::size_t batch, const Wanted& wanted) {
+    for (std::size_t k = batch; k < voting.references(); k += batches()) {
+      const std::uint32_t reference = voting.reference(k);
+      if (wanted(reference)) voting.voteAt(reference, candidates);
+    }
+  }
+
+  /// Votes and proposals take turns: references that are explained by now need not vote. place:
+  /// index of a voter among all samples.
   template <class Place>
   void search(const Samples& voters, const Place& place) {
     voting.begin(voters, result.scene_diameter);
@@ -195,10 +204,7 @@ struct Detector::Workspace {
     std::vector<Candidate> strongest;
     for (std::size_t batch = 0; batch < batches(); ++batch) {
       const std::size_t pending = candidates.size();
-      for (std::size_t k = batch; batch >= next && k < voting.references(); k += batches()) {
-        const std::uint32_t reference = voting.reference(k);
-        if (verification.wants(place(reference))) voting.voteAt(reference, candidates);
-      }
+      if (batch >= next) voteBatch(batch, [&](std::uint32_t voter) { return verification.wants(place(voter)); });
       done("vote");
       for (std::size_t k = pending; k < candidates.size(); ++k) candidates[k].sample = place(candidates[k].sample);
       sortByVotes(candidates);

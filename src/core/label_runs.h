@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Neighbours in the cloud that carry the same label.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace primitect {
+
+/// Points [begin, end) of the same label.
+struct LabelRun {
+  std::uint32_t label, begin, end;
+};
+
+/// Labels that are compared at once.
+constexpr std::uint32_t kLabelsAtOnce = 16;
+
+inline bool allAre(std::uint32_t label, const std::uint32_t* labels) {
+  std::uint32_t different = 0;
+  for (std::uint32_t k = 0; k < kLabelsAtOnce; ++k) different |= labels[k] ^ label;
+  return different == 0;
+}
+
+/// Calls use(run) for all runs of a label above 0; it may change the labels of that run.
+template <class Use>
+void forLabelRuns(const std::vector<std::uint32_t>& labels, const Use& use) {
+  const std::uint32_t count = static_cast<std::uint32_t>(labels.size());
+  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+    const std::uint32_t label = labels[begin];
+    while (end + kLabelsAtOnce <= count && allAre(label, labels.data() + end)) end += kLabelsAtOnce;
+    while (end < count && labels[end] == label) ++end;
+    if (label > 0) use(LabelRun{label, begin, end});
+  }
+}
+
+}  // namespace primitect
