@@ -24,6 +24,13 @@ bool enabled(Kind kind, const Params& params) {
   return switches[static_cast<std::size_t>(kind)];
 }
 
+/// So small that the edge of a table, rounded by a depth camera, looks the same.
+bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
+  constexpr double kLeastRadius = 8.0;  // standard deviations of the noise
+  const double radius = radiusOf(shape);
+  return noise.depth_share > 0.0 && radius > 0.0 && radius < kLeastRadius * sigma;
+}
+
 /// Where a fit begins.
 struct Start {
   Shape shape;
@@ -66,8 +73,11 @@ int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std:
   Hypothesis trial;
   for (const Start& start : startsFor(hypothesis, points, rules)) {
     const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
-    if (shape && !rules.limits.hold(*shape)) ++refused;
-    if (!shape || !rules.limits.hold(*shape)) continue;
+    if (!shape) continue;
+    if (!rules.limits.hold(*shape) || tooThin(*shape, points.meanSigma(), rules.noise)) {
+      ++refused;
+      continue;
+    }
     trial.shape = *shape;
     trial.concave = start.concave;
     score(samples, held, 1.0, trial);

@@ -18,11 +18,15 @@ Curvature curvatureOf(const Moments& moments, double sigma) {
 bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise) {
   constexpr double kLeastTurn = 0.012, kLeastTurnOfDepth = 0.03;  // arcs of 31 and 49 deg
   constexpr double kLeastBulgeOfDepth = 2.0;
+  // Waves that turn so far (90 deg) would have to be higher than they are; a thin tube does not rise farther.
+  constexpr double kLargeTurn = 0.1, kLeastBulgeOfLargeTurn = 1.5;
   if (moments.count == 0) return false;
   const Curvature curvature = curvatureOf(moments, sigma);
   const double normal_noise = noise.angle / kNormalDeviations;
   if (noise.depth_share <= 0.0) return curvature.turn > kLeastTurn;
-  return curvature.turn > kLeastTurnOfDepth + normal_noise * normal_noise && curvature.bulge > kLeastBulgeOfDepth;
+  const double turn = curvature.turn - normal_noise * normal_noise;
+  return turn > kLeastTurnOfDepth &&
+         curvature.bulge > (turn > kLargeTurn ? kLeastBulgeOfLargeTurn : kLeastBulgeOfDepth);
 }
 
 }  // namespace primitect

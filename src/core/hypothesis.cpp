@@ -114,6 +114,21 @@ void hold(const Hypothesis& hypothesis, HeldGains& held) {
   }
 }
 
+void withhold(const std::vector<std::uint32_t>& samples, Hypothesis& hypothesis) {
+  std::vector<Support>& support = hypothesis.support;
+  const auto among = [&samples](const Support& at) {
+    return std::binary_search(samples.begin(), samples.end(), at.sample);
+  };
+  support.erase(std::remove_if(support.begin(), support.end(), among), support.end());
+  hypothesis.gain_sum = 0.0;
+  hypothesis.inliers = 0;
+  for (const Support& kept : support) {
+    if (!(kept.gain > 0.0f)) continue;
+    hypothesis.gain_sum += kept.gain;
+    ++hypothesis.inliers;
+  }
+}
+
 void inliersOf(const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers) {
   inliers.clear();
   for (const Support& support : hypothesis.support) {

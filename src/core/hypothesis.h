@@ -53,6 +53,9 @@ void inliersAround(const Vec3& point, double reach, const Samples& samples, cons
 /// Takes the gains of the hypothesis into those held.
 void hold(const Hypothesis& hypothesis, HeldGains& held);
 
+/// Takes these samples (rising indices) from the support; the score stays.
+void withhold(const std::vector<std::uint32_t>& samples, Hypothesis& hypothesis);
+
 /// Score that a shape with so many inliers pays for its parameters: a plane has three, a cone six.
 double priceOf(Kind kind, double inliers);
 

@@ -37,7 +37,10 @@ Shape Measurement::fitted(const Shape& shape, const SeenPoints& all, const SeenP
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
   const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape unbiased = withoutBias(fit, clear, sigma_, direction);
-  return limits_.hold(unbiased) ? unbiased : fit;
+  const Shape last = limits_.hold(unbiased) ? unbiased : fit;
+  // A few clear points may not hold a shape where all of its points are.
+  constexpr double kWorse = 1.5;
+  return rmsDistance(last, all) <= kWorse * rmsDistance(shape, all) ? last : shape;
 }
 
 Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled,

@@ -5,6 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "core/fitting.h"
 
 namespace primitect {
 namespace {
@@ -40,7 +46,72 @@ std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
   return best;
 }
 
+/// Sum of the squared distances to the best plane, in standard deviations of their noise.
+double misfitOf(const Samples& samples, const std::vector<std::uint32_t>& part) {
+  FitPoints points;
+  points.gather({samples, part});
+  const std::optional<Shape> start = fitFromMoments(Kind::plane, momentsOf(points));
+  if (!start) return 0.0;
+  const Shape plane = refine(*start, points).value_or(*start);
+  double sum = 0.0;
+  for (const std::uint32_t i : part) sum += std::pow(distance(plane, samples.point(i)) / samples.sigma[i], 2);
+  return sum;
+}
+
+/// Samples and how badly a plane fits them.
+struct Group {
+  std::vector<std::uint32_t> samples;
+  double misfit;
+};
+
+Group together(const Samples& samples, const Group& a, const Group& b) {
+  Group both;
+  std::merge(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(), std::back_inserter(both.samples));
+  both.misfit = misfitOf(samples, both.samples);
+  return both;
+}
+
+/// How much worse one plane fits both than one for each does, as a share of what noise and the waves of a depth
+/// camera explain; below 1: it is the same plane.
+double disagreement(const Group& a, const Group& b, const Group& both) {
+  constexpr double kSure = 15.0;          // what chance alone hardly reaches
+  constexpr double kWavesOfDepth = 0.15;  // of the variance of the noise
+  const double more = both.misfit - a.misfit - b.misfit;
+  return more / std::max(kSure, kWavesOfDepth * static_cast<double>(both.samples.size()));
+}
+
+/// Joins the two that are most at one; false when no two are.
+bool joinNearest(const Samples& samples, std::vector<Group>& groups) {
+  double least = 1.0;
+  std::size_t first = 0, second = 0;
+  Group joined;
+  for (std::size_t b = 1; b < groups.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      Group both = together(samples, groups[a], groups[b]);
+      const double apart = disagreement(groups[a], groups[b], both);
+      if (!(apart < least)) continue;
+      least = apart;
+      first = a;
+      second = b;
+      joined = std::move(both);
+    }
+  }
+  if (first == second) return false;
+  groups[first] = std::move(joined);
+  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(second));
+  return true;
+}
+
 }  // namespace
+
+SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts) {
+  std::vector<Group> groups;
+  for (const std::vector<std::uint32_t>& part : parts) groups.push_back({part, misfitOf(samples, part)});
+  while (joinNearest(samples, groups)) continue;
+  SampleParts result;
+  for (Group& group : groups) result.push_back(std::move(group.samples));
+  return result;
+}
 
 SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {
   SampleParts parts = graph.parts(inliers, least);

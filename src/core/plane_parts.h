@@ -22,4 +22,8 @@ SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t
 SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vector<std::uint32_t>& inliers,
                       std::size_t least);
 
+/// Groups of these parts of a plane, each of which lies in one plane of its own: two tops of nearly the same height,
+/// which one tilted plane leads over. One group when a single plane fits all of them about as well.
+SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts);
+
 }  // namespace primitect

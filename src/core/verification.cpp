@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/evidence.h"
@@ -83,6 +84,7 @@ void Verification::conclude() {
   constexpr int kRefusals = 4;
   select();
   refit();
+  if (separate()) select();
   assess();
   for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
     select();
@@ -187,6 +189,36 @@ void Verification::refit() {
     if (pool_.size() == before) return;
     select();
   }
+}
+
+/// Tops of things of nearly the same height that a plane leads over become planes of their own.
+bool Verification::separate() {
+  bool any = false;
+  for (const Segment& segment : segments_) {
+    if (kindOf(segment.candidate.shape) == Kind::plane && separate(segment)) any = true;
+  }
+  return any;
+}
+
+bool Verification::separate(const Segment& segment) {
+  // A large plane in parts is one that things stand on, and its parts are the same.
+  constexpr double kLargeShare = 0.1;
+  if (static_cast<double>(segment.inliers.size()) > kLargeShare * static_cast<double>(samples_.size())) return false;
+  const SampleParts groups = coplanarGroups(samples_, separateParts(segment.inliers, needed(params_), graph_));
+  if (groups.size() < 2) return false;
+  const HeldGains nothing(samples_.size(), 0.0f);
+  std::vector<std::uint32_t> others;
+  for (const std::vector<std::uint32_t>& group : groups) {
+    Hypothesis own = pool_[segment.hypothesis];
+    if (!bestOfKinds(samples_, nothing, group, rules(), own)) continue;
+    others.clear();
+    std::set_difference(segment.inliers.begin(), segment.inliers.end(), group.begin(), group.end(),
+                        std::back_inserter(others));
+    withhold(others, own);
+    pool_.push_back(std::move(own));
+  }
+  pool_[segment.hypothesis].support.clear();
+  return true;
 }
 
 void Verification::assess() {

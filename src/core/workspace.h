@@ -278,14 +278,22 @@ struct Detector::Workspace {
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     const Measurement measurement(cloud, params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
+    const std::size_t fewest = fewestPoints();
     for (std::size_t k = 0; k < result.items.size(); ++k) {
-      if (points[k].all >= static_cast<std::size_t>(params.min_inliers)) {
+      if (points[k].all >= fewest) {
         measured.push_back(measurement.of(result.items[k], points[k], clear.of(k, points[k].index)));
       } else {
         ++result.refusals[Refusal::few_inliers];
       }
     }
     result.items = std::move(measured);
+  }
+
+  /// The closer look may take every point of what is left: a shape has more of them than just those.
+  std::size_t fewestPoints() const {
+    constexpr double kLeastShare = 0.05;  // of the points that as many samples stand for on average
+    const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
+    return static_cast<std::size_t>(params.min_inliers * std::max(1.0, kLeastShare * each));
   }
 
   void describeSegments(const std::vector<Segment>& described, const Samples& of) {

@@ -206,6 +206,19 @@ TEST(Hold, KeepsTheBestGainOfEachSampleAndNoLoss) {
   EXPECT_EQ(held[60], 0.0f);
 }
 
+TEST(Withhold, TakesSamplesFromTheSupportAndTheirGainsFromTheSum) {
+  const Samples samples = fiftyAndTwenty();
+  Hypothesis hypothesis = hypothesisOf(kPlane, samples);
+  const std::size_t before = hypothesis.inliers;
+  const double sum = hypothesis.gain_sum;
+  withhold({0, 1, 2}, hypothesis);
+  EXPECT_EQ(hypothesis.inliers, before - 3);
+  EXPECT_NEAR(hypothesis.gain_sum, sum - 3.0, 3 * kRounding);
+  std::vector<std::uint32_t> left;
+  inliersOf(hypothesis, left);
+  EXPECT_EQ(left.front(), 3u);
+}
+
 TEST(Score, IsTheSameWithoutTheSupport) {
   const Samples samples = fiftyAndTwenty();
   const Hypothesis whole = hypothesisOf(kPlane, samples);

@@ -150,5 +150,23 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
+TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
+  Random random(43);
+  std::vector<test::SurfacePoint> points = patchOf(kBall, 1000, random);
+  const Vec3 away(0.015, 0, 0);
+  for (const test::SurfacePoint& p : patchOf(Sphere{kBall.center + away, kBall.radius}, 200, random))
+    points.push_back(p);
+  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
+  std::vector<std::uint32_t> own(1000), clear(200);
+  std::iota(own.begin(), own.end(), 0u);
+  std::iota(clear.begin(), clear.end(), 1000u);
+  const Params params;
+  Detection detection;
+  detection.shape = kBall;
+  const Detection kept = Measurement(cloud, params, kNoiseModel, {params, 1.0}).of(detection, {own, 1000}, clear);
+  EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
+  EXPECT_LT(kept.rms_error, 2.0 * kNoise);
+}
+
 }  // namespace
 }  // namespace primitect

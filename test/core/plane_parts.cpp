@@ -77,5 +77,50 @@ TEST(SeparateParts, AreNoneWhereAllTouch) {
   EXPECT_TRUE(separateParts(test::allOf(samples), kLeast, graph).empty());
 }
 
+/// With this noise (m), which the points themselves do not have.
+Samples withNoise(double sigma, Samples samples) {
+  applyNoise(NoiseModel{sigma}, samples);
+  return samples;
+}
+
+std::vector<std::uint32_t> range(std::uint32_t begin, std::uint32_t end) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t i = begin; i < end; ++i) indices.push_back(i);
+  return indices;
+}
+
+TEST(CoplanarGroups, AreTwoTopsThatATiltedPlaneWouldLeadOver) {
+  // The tilted plane is 1.5 mm off at the edges of either top, three quarters of the noise.
+  Random random(76);
+  const Samples samples = withNoise(0.002, twoTops(120, 0.006, random));
+  const SampleParts groups = coplanarGroups(samples, {range(0, 120), range(120, 240)});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0], range(0, 120));
+  EXPECT_EQ(groups[1], range(120, 240));
+}
+
+TEST(CoplanarGroups, AreOneWhereTheStepIsNoMoreThanTheWavesOfADepthCamera) {
+  Random random(77);
+  const Samples samples = withNoise(0.002, twoTops(120, 0.001, random));
+  const SampleParts groups = coplanarGroups(samples, {range(0, 120), range(120, 240)});
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0], range(0, 240));
+}
+
+TEST(CoplanarGroups, JoinPartsOfOneHeightAcrossThatOfAnother) {
+  Random random(78);
+  Samples samples = twoTops(120, 0.008, random);
+  // A third top, on the far side of the second one, as high as the first.
+  for (int i = 0; i < 120; ++i) {
+    const Vec3 point(random.uniform(0.13, 0.23), random.uniform(-0.05, 0.05), 1.0);
+    samples.append(test::samplesOf({{point, -Vec3::UnitZ()}}));
+  }
+  samples = withNoise(0.002, samples);
+  const SampleParts groups = coplanarGroups(samples, {range(0, 120), range(120, 240), range(240, 360)});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].size(), 240u);
+  EXPECT_EQ(groups[1], range(120, 240));
+}
+
 }  // namespace
 }  // namespace primitect

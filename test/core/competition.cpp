@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which kind a depth camera can tell at all.
+#include "core/competition.h"
+
+#include <gtest/gtest.h>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kLargest = 1.0;  // m
+
+NoiseModel depthCamera() {
+  NoiseModel noise = {0.0, 0.002};
+  noise.angle = 0.3;
+  return noise;
+}
+
+/// The kind that wins on a patch of a tube that faces the sensor at this depth.
+std::optional<Kind> winnerOnTube(double radius, double depth) {
+  Random random(81);
+  const Cylinder tube = {Vec3(0, 0, depth + radius), Vec3::UnitX(), radius};
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 150; ++i) {
+    const double turn = random.uniform(-1.2, 1.2);  // rad, as far as a camera sees it
+    const Vec3 normal(0, std::sin(turn), -std::cos(turn));
+    points.push_back({tube.point + Vec3(random.uniform(-0.1, 0.1), 0, 0) + radius * normal, normal});
+  }
+  const NoiseModel noise = depthCamera();
+  Samples samples = test::samplesOf(points);
+  applyNoise(noise, samples);
+  const Params params;
+  Hypothesis hypothesis;
+  hypothesis.shape = Plane{Vec3(0, 0, depth), -Vec3::UnitZ()};
+  const ProposalRules rules = {noise, {params, kLargest}, 1.0, kLargest};
+  if (!bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rules, hypothesis)) return {};
+  return kindOf(hypothesis.shape);
+}
+
+TEST(Competition, FindsAThinTubeThatTurnsFar) {
+  // 25 mm at 1 m are 13 standard deviations of the noise.
+  EXPECT_EQ(winnerOnTube(0.025, 1.0), Kind::cylinder);
+}
+
+TEST(Competition, TakesNoCylinderForARoundedEdgeFarAway) {
+  // 25 mm at 1.8 m are 5: there the edge of a table looks like it.
+  EXPECT_NE(winnerOnTube(0.025, 1.8), Kind::cylinder);
+  EXPECT_EQ(winnerOnTube(0.08, 1.8), Kind::cylinder);
+}
+
+}  // namespace
+}  // namespace primitect
