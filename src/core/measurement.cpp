@@ -21,8 +21,9 @@ DepthRange rangeOf(const Params& params) {
 
 }  // namespace
 
-Measurement::Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits)
-    : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rangeOf(params), sigma_) {}
+Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
+                         const Limits& limits)
+    : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rays, rangeOf(params), sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape, const SeenPoints& all, const SeenPoints& clear) const {
   FitPoints points;

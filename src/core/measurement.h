@@ -18,7 +18,8 @@ namespace primitect {
 /// Of one frame.
 class Measurement {
  public:
-  Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits);
+  Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
+              const Limits& limits);
 
   /// The detection with its shape fitted to the clear ones of these points (clear_points.h), and all that follows from
   /// the fit.
