@@ -280,7 +280,7 @@ struct Detector::Workspace {
     pointsOfLabels(labels, result.items.size(), most, points);
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
-    const Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(),
+    Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(),
                                   verification.limits());
     std::vector<Detection> measured;
     for (std::size_t k = 0; k < result.items.size(); ++k) {
