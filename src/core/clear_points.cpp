@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "core/far_sides.h"
 #include "core/flat.h"
 #include "core/point_noise.h"
 #include "core/seen_points.h"
@@ -160,20 +162,16 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
 }  // namespace
 
 ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-                         const std::vector<std::uint32_t>& labels, const std::vector<std::uint32_t>& far_sides,
+                         const std::vector<std::uint32_t>& labels, std::vector<bool> has_far_side,
                          const NoiseModel& noise)
     : cloud_(cloud),
       normals_(normals),
       detections_(detections),
       labels_(labels),
-      far_sides_(far_sides),
       noise_(noise),
-      depth_image_(cloud.organized() && noise.depth_share > 0.0) {
-  if (depth_image_) {
-    has_far_side_.assign(detections.size() + 1, false);
-    for (const std::uint32_t label : far_sides) has_far_side_[label] = true;
-    return;
-  }
+      depth_image_(cloud.organized() && noise.depth_share > 0.0),
+      has_far_side_(std::move(has_far_side)) {
+  if (depth_image_) return;
   for (const Detection& detection : detections) {
     shapes_.push_back(flattened(detection.shape, Vec3::Zero()));
     parts_.emplace_back(detection.shape, detection.extent);
@@ -187,11 +185,12 @@ std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
   constexpr int kRim = 2;
   const int radius = ringRadius(cloud_);
   const Ring ring(radius, cloud_.width), wide(kRim * radius, cloud_.width);
+  const bool any_far = !has_far_side_.empty() && has_far_side_[label - 1];
   std::vector<std::uint32_t> result;
   result.reserve(points.size());
   for (const std::uint32_t i : points) {
     if (ring.meetsOther(label, cloud_, labels_, i)) continue;
-    if (!has_far_side_[label] || !wide.meets(label, cloud_, far_sides_, i)) result.push_back(i);
+    if (!any_far || !wide.meets(label | kFarSide, cloud_, labels_, i)) result.push_back(i);
   }
   return result;
 }

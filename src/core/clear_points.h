@@ -25,11 +25,10 @@ struct CloudNormals {
 /// thousands of others do not average that away.
 class ClearPoints {
  public:
-  /// All must stay; `labels` are those of the detections, as dropFarSides() (far_sides.h) leaves them, `far_sides` what
-  /// it took.
+  /// All must stay; `labels` are those of the detections, as markFarSides() (far_sides.h) leaves them, `has_far_side`
+  /// what it says of each detection; empty: none has one.
   ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-              const std::vector<std::uint32_t>& labels, const std::vector<std::uint32_t>& far_sides,
-              const NoiseModel& noise);
+              const std::vector<std::uint32_t>& labels, std::vector<bool> has_far_side, const NoiseModel& noise);
 
   /// Those of a detection's points (indices in the cloud)
   ///   depth image          with no other label on a ring of eight pixels, as far away as the noise reaches, and not
@@ -47,10 +46,9 @@ class ClearPoints {
   CloudNormals normals_;
   const std::vector<Detection>& detections_;
   const std::vector<std::uint32_t>& labels_;
-  const std::vector<std::uint32_t>& far_sides_;
   NoiseModel noise_;
   bool depth_image_;
-  std::vector<bool> has_far_side_;          ///< of each label of a depth image
+  std::vector<bool> has_far_side_;          ///< of each detection; or empty
   std::vector<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
   std::vector<ObservedPart> parts_;         ///< the same
 };

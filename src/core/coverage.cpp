@@ -16,7 +16,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr std::size_t kProbes = 200;  // a share of one half is then known to 0.02, of evenly spread ones
+constexpr std::size_t kProbes = 128;  // a share of one half is then known to 0.03, of evenly spread ones
 constexpr std::size_t kMostInliers = 400;
 /// Inliers around a probe: enough that chance leaves no hole, see covered().
 constexpr double kNeighbors = 24.0;

@@ -21,6 +21,7 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
   std::vector<LabelRun> runs;
   runs.reserve(labels.size() / kLabelsAtOnce);
   forLabelRuns(labels, [&](const LabelRun& run) {
+    if (run.label > count) return;
     points[run.label - 1].all += run.end - run.begin;
     runs.push_back(run);
   });

@@ -19,7 +19,7 @@ struct LabelledPoints {
   std::size_t all = 0;               ///< how many carry the label
 };
 
-/// Points of the labels 1 to `count`, at most `most` of each.
+/// Points of the labels 1 to `count`, at most `most` of each; other labels are none.
 void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
                     std::vector<LabelledPoints>& points);
 

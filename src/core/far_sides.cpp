@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "core/flat.h"
 #include "core/label_runs.h"
@@ -34,20 +33,23 @@ void forFarSide(const Cloud& cloud, const kernels::FlatShape& shape, bool concav
 
 }  // namespace
 
-std::vector<std::uint32_t> dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
-                                        std::vector<std::uint32_t>& labels) {
-  std::vector<kernels::FlatShape> shapes;
-  for (const Detection& detection : detections) shapes.push_back(flattened(detection.shape, Vec3::Zero()));
-  std::vector<std::uint32_t> taken;
+std::vector<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+                               std::vector<std::uint32_t>& labels) {
+  std::vector<bool> found(detections.size(), false);
   forLabelRuns(labels, [&](const LabelRun& run) {
-    const Detection& detection = detections[run.label - 1];
-    if (kindOf(detection.shape) == Kind::plane) return;
-    forFarSide(cloud, shapes[run.label - 1], detection.concave, run, [&taken, &labels](std::size_t i) {
-      taken.resize(labels.size());
-      std::swap(taken[i], labels[i]);
+    const std::size_t k = run.label - 1;
+    if (kindOf(detections[k].shape) == Kind::plane) return;
+    forFarSide(cloud, flattened(detections[k].shape, Vec3::Zero()), detections[k].concave, run, [&](std::size_t i) {
+      labels[i] |= kFarSide;
+      found[k] = true;
     });
   });
-  return taken;
+  return found;
+}
+
+void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, std::vector<std::uint32_t>& labels) {
+  markFarSides(cloud, detections, labels);
+  for (std::uint32_t& label : labels) label = label < kFarSide ? label : 0;
 }
 
 }  // namespace primitect

@@ -11,10 +11,15 @@
 
 namespace primitect {
 
-/// Takes their label (index + 1 of a detection) from points of curved shapes that lie on the side which a camera at the
-/// origin cannot see: a wall as thin as the noise is seen from inside there. Returns the labels that were taken, of
-/// each point; empty when none was.
-std::vector<std::uint32_t> dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
-                                        std::vector<std::uint32_t>& labels);
+/// Added to the label of a point on the far side.
+constexpr std::uint32_t kFarSide = 1u << 31;
+
+/// Marks points of curved shapes, labelled by index + 1 of their detection, that lie on the side which a camera at the
+/// origin cannot see: a wall as thin as the noise is seen from inside there. Returns which detections have such points.
+std::vector<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+                               std::vector<std::uint32_t>& labels);
+
+/// Takes their labels from these points.
+void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, std::vector<std::uint32_t>& labels);
 
 }  // namespace primitect

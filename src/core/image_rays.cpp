@@ -58,6 +58,12 @@ void findBorder(const Cloud& cloud, ImageRays& rays) {
 
 }  // namespace
 
+PixelPitch pitchOf(const ImageRays& rays) {
+  constexpr double kLargestMisfit = 0.05;  // px
+  if (!rays.known || rays.misfit > kLargestMisfit) return {};
+  return {rays.x_scale, rays.y_scale};
+}
+
 ImageRays findRays(const Cloud& cloud) {
   ImageRays rays;
   if (!cloud.organized()) return rays;

@@ -22,6 +22,14 @@ struct ImageRays {
   }
 };
 
+/// How much x/z grows from column to column, and y/z from row to row; 0: not known.
+struct PixelPitch {
+  double u = 0.0, v = 0.0;
+};
+
+/// Of an image whose pixels lie where they should, to a twentieth of a pixel: beside a window of 15 that is nothing.
+PixelPitch pitchOf(const ImageRays& rays);
+
 /// From some hundred points by least squares; known when these fit to a third of a pixel.
 ImageRays findRays(const Cloud& cloud);
 

@@ -16,6 +16,15 @@ constexpr std::size_t kRun = kernels::kPointsPerRun;
 /// So that no point of a ball is left out.
 constexpr float kRounding = 1.001f;
 
+/// The points that are left for the last run, filled up.
+struct LastRun {
+  float x[kRun] = {}, y[kRun] = {}, z[kRun] = {};
+
+  LastRun(const float* some_x, const float* some_y, const float* some_z, std::size_t count) {
+    std::copy_n(some_x, count, x), std::copy_n(some_y, count, y), std::copy_n(some_z, count, z);
+  }
+};
+
 }  // namespace
 
 void Labeling::begin(const Cloud& cloud) {
@@ -79,20 +88,27 @@ void Labeling::labelRun(std::size_t run, const kernels::FlatTolerance& tolerance
   } else if (count == kRun) {
     kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), x, y, z, labels + begin);
   } else {
-    float last_x[kRun] = {}, last_y[kRun] = {}, last_z[kRun] = {};
+    const LastRun last(x, y, z, count);
     std::uint32_t last_labels[kRun];
-    std::copy_n(x, count, last_x), std::copy_n(y, count, last_y), std::copy_n(z, count, last_z);
-    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last_x, last_y, last_z, last_labels);
+    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z, last_labels);
     std::copy_n(last_labels, count, labels + begin);
   }
 }
 
-void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
-                     std::vector<std::uint32_t>& labels) {
+std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const {
+  const std::size_t begin = run * kRun, count = std::min(kRun, cloud_->size() - begin);
+  const float *x = cloud_->x.data() + begin, *y = cloud_->y.data() + begin, *z = cloud_->z.data() + begin;
+  const kernels::Loops& loops = kernels::loops();
+  if (of_run_.empty()) return ~std::uint64_t{0};
+  if (count == kRun) return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), x, y, z);
+  const LastRun last(x, y, z, count);
+  return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z);
+}
+
+void Labeling::prepare(const std::vector<Detection>& detections, const PointRuns& runs,
+                       const kernels::FlatTolerance& tolerance) {
   const std::size_t words = (detections.size() + kTargetsPerWord - 1) / kTargetsPerWord;
-  const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
-  labels.resize(cloud_->size());
-  findAllowed(runs, flat);
+  findAllowed(runs, tolerance);
   near_.assign(words * runs.size(), 0), border_.assign(words * runs.size(), 0);
   targets_.clear();
   std::size_t sides = 0;
@@ -103,9 +119,27 @@ void Labeling::label(const std::vector<Detection>& detections, const Tolerance& 
   }
   // What belongs to a run stays where it is while the rest is gathered.
   sides_.reserve(sides);
+}
+
+void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
+                     std::vector<std::uint32_t>& labels) {
+  const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
+  labels.resize(cloud_->size());
+  prepare(detections, runs, flat);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     gatherTargets(runs, k);
     labelRun(runs.number[k], flat, labels.data());
+  }
+}
+
+void Labeling::findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance,
+                               const PointRuns& runs, std::vector<std::uint64_t>& unexplained) {
+  const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
+  unexplained.resize(runs.size());
+  prepare(detections, runs, flat);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    gatherTargets(runs, k);
+    unexplained[k] = unexplainedOf(runs.number[k], flat);
   }
 }
 

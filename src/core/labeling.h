@@ -32,6 +32,11 @@ class Labeling {
   void label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
              std::vector<std::uint32_t>& labels);
 
+  /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
+  /// any.
+  void findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
+                       std::vector<std::uint64_t>& unexplained);
+
  private:
   struct Target {
     kernels::FlatShape shape;
@@ -40,10 +45,13 @@ class Labeling {
   /// So many targets have a bit in one word.
   static constexpr std::size_t kTargetsPerWord = 32;
 
+  void prepare(const std::vector<Detection>& detections, const PointRuns& runs,
+               const kernels::FlatTolerance& tolerance);
   void findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance);
   void findNear(const PointRuns& runs, std::size_t target);
   void gatherTargets(const PointRuns& runs, std::size_t k);
   void labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const;
+  std::uint64_t unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const;
 
   const Cloud* cloud_ = nullptr;
   PointRuns all_, some_;

@@ -5,6 +5,7 @@
 
 #include "core/competition.h"
 #include "core/dense_fit.h"
+#include "core/fit_points.h"
 #include "core/noise.h"
 #include "core/point_noise.h"
 #include "core/seen_points.h"
@@ -18,20 +19,24 @@ namespace primitect {
 /// Of one frame.
 class Measurement {
  public:
-  Measurement(const Cloud& cloud, const Params& params, const NoiseModel& noise, const Limits& limits);
+  Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
+              const Limits& limits);
 
-  /// The detection with its shape fitted to the clear ones of these points (clear_points.h), and all that follows from
+  /// The detection with its shape fitted to the clear ones of its points (clear_points.h), and all that follows from
   /// the fit.
-  Detection of(const Detection& detection, const LabelledPoints& points, const std::vector<std::uint32_t>& clear) const;
+  Detection of(const Detection& detection, const LabelledPoints& labelled, const std::vector<std::uint32_t>& clear);
 
  private:
-  Shape fitted(const Shape& shape, const SeenPoints& all, const SeenPoints& clear) const;
+  Shape fitted(const Shape& shape);
 
   const Cloud& cloud_;
   NoiseModel noise_;
   Limits limits_;
   PointNoise sigma_;
   TruncationFinder truncation_;
+  // Of one detection; their memory serves the next.
+  SeenPoints points_, clear_;
+  FitPoints fit_points_;
 };
 
 }  // namespace primitect

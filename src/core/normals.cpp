@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image_rays.h"
 #include "core/neighbors.h"
 
 namespace primitect {
@@ -36,14 +35,6 @@ void takeCloudNormals(const Cloud& cloud, bool orient, Samples& samples) {
 bool allInFront(const Cloud& cloud) {
   // Counted to the end: without a way out in the middle this is .05 ms a frame of 640 x 480 instead of .15.
   return std::count_if(cloud.z.begin(), cloud.z.end(), [](float z) { return z <= 0.0f; }) == 0;
-}
-
-/// Of an image whose pixels lie where they should: beside a window of 15 pixels a twentieth of one is nothing.
-PixelPitch pitchOf(const Cloud& cloud) {
-  constexpr double kLargestMisfit = 0.05;  // px
-  const ImageRays rays = findRays(cloud);
-  if (!rays.known || rays.misfit > kLargestMisfit) return {};
-  return {rays.x_scale, rays.y_scale};
 }
 
 bool anyNormal(const Samples& samples) {
@@ -108,6 +99,11 @@ std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint3
   return Vec3(solver.eigenvectors().col(0));
 }
 
+const ImageRays& raysOf(const Cloud& cloud, NormalSource& source) {
+  if (!source.rays) source.rays = findRays(cloud);
+  return *source.rays;
+}
+
 bool seenByDepthCamera(const Cloud& cloud, NormalSource& source) {
   const bool brings_normals = cloud.hasNormals();
   if (!cloud.organized() && !brings_normals && !source.image_tried) source.image = projectedImage(cloud);
@@ -149,7 +145,7 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
     return fitWindows(source.image->image, pixel, {}, params.normal_window, samples);
   }
   if (from_image) {
-    if (!source.pitch) source.pitch = pitchOf(cloud);
+    if (!source.pitch) source.pitch = pitchOf(raysOf(cloud, source));
     const auto pixel = [](std::uint32_t point) { return point; };
     return fitWindows(cloud, pixel, *source.pitch, params.normal_window, samples);
   }

@@ -22,11 +22,15 @@ struct NormalSource {
   std::optional<ProjectedImage> image;
   bool image_tried = false;
   std::optional<bool> in_front;     ///< the cloud is organized and all in front of the sensor
-  std::optional<PixelPitch> pitch;  ///< of the organized cloud
+  std::optional<ImageRays> rays;    ///< of the organized cloud
+  std::optional<PixelPitch> pitch;  ///< the same
   int neighbor_count = 0;           ///< above 0: measured from so many neighbours even where the cloud brings normals
 
   void reset() { *this = {}; }
 };
+
+/// Found once a frame.
+const ImageRays& raysOf(const Cloud& cloud, NormalSource& source);
 
 /// The cloud is, or was before a filter took its order, the image of a depth camera at the origin.
 bool seenByDepthCamera(const Cloud& cloud, NormalSource& source);

@@ -13,6 +13,7 @@ constexpr std::size_t kRun = kernels::kPointsPerRun;
 
 void resize(PointRuns& runs, std::size_t count) {
   runs.number.resize(count);
+  runs.measured.resize(count);
   for (std::vector<float>* values : {&runs.x, &runs.y, &runs.z, &runs.radius}) values->resize(count);
 }
 
@@ -23,6 +24,10 @@ void findRuns(const Cloud& cloud, PointRuns& all) {
   std::iota(all.number.begin(), all.number.end(), 0u);
   kernels::loops().balls(cloud.x.data(), cloud.y.data(), cloud.z.data(), cloud.size(), kRun,
                          {all.x.data(), all.y.data(), all.z.data(), all.radius.data()});
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::size_t begin = k * kRun;
+    all.measured[k] = kernels::loops().measured(cloud.z.data() + begin, std::min(kRun, cloud.size() - begin));
+  }
 }
 
 void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some) {
@@ -38,6 +43,7 @@ void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some) {
     if (run >= all.size()) continue;
     some.number[count] = all.number[run];
     some.x[count] = all.x[run], some.y[count] = all.y[run], some.z[count] = all.z[run];
+    some.measured[count] = all.measured[run];
     some.radius[count++] = all.radius[run];
   }
   resize(some, count);

@@ -14,8 +14,9 @@ namespace primitect {
 
 /// Runs of kernels::kPointsPerRun points; the last one of a cloud may be shorter.
 struct PointRuns {
-  std::vector<std::uint32_t> number;   ///< of each run in the cloud, rising
-  std::vector<float> x, y, z, radius;  ///< of balls around their points (m); radius -1: all are missing
+  std::vector<std::uint32_t> number;    ///< of each run in the cloud, rising
+  std::vector<float> x, y, z, radius;   ///< of balls around their points (m); radius -1: all are missing
+  std::vector<std::uint64_t> measured;  ///< a bit for each point of the run that is not missing, the first one lowest
 
   std::size_t size() const { return number.size(); }
 };

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/point_runs.h"
 #include "core/random.h"
 
 namespace primitect {
 namespace {
 
 constexpr std::size_t kRun = kernels::kPointsPerRun;
+static_assert(kRun == 64, "a bit of a word for each point");
 
 /// Places alone.
 void gather(const Cloud& cloud, const std::vector<std::uint32_t>& indices, Samples& samples) {
@@ -26,56 +26,81 @@ void gather(const Cloud& cloud, const std::vector<std::uint32_t>& indices, Sampl
   }
 }
 
-/// One at random of each of `count` equal parts.
-void drawParts(const std::vector<std::uint32_t>& free, std::size_t count, Random& random,
-               std::vector<std::uint32_t>& chosen) {
-  const std::uint64_t all = free.size();
-  chosen.resize(count);
-  for (std::uint64_t k = 0; k < count; ++k) {
-    const std::uint64_t first = k * all / count, end = (k + 1) * all / count;
-    chosen[k] = free[first + random.below(end - first)];
+/// How many bits are set (sums over pairs, fours, bytes).
+std::uint32_t countOf(std::uint64_t bits) {
+  bits -= bits >> 1 & 0x5555555555555555u;
+  bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
+  return static_cast<std::uint32_t>(((bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
+}
+
+/// Place of the set bit that has so many set ones below it.
+std::uint32_t placeOf(std::uint64_t bits, std::uint32_t below) {
+  std::uint32_t place = 0;
+  for (std::uint32_t half = 32; half >= 8; half /= 2) {
+    const std::uint64_t low = bits >> place & ((std::uint64_t{1} << half) - 1);
+    const std::uint32_t there = countOf(low);
+    if (there <= below) below -= there, place += half;
   }
+  std::uint64_t rest = bits >> place;
+  for (; below > 0; --below) rest &= rest - 1;
+  return place + static_cast<std::uint32_t>(__builtin_ctzll(rest));
 }
 
 }  // namespace
 
-void Sampler::findFree(const Cloud& cloud, const std::vector<std::uint32_t>& runs, std::vector<std::uint32_t>* labels) {
-  if (labels != nullptr) {
-    for (const std::uint32_t i : drawn_) (*labels)[i] = 1;
-  }
-  free_.resize(runs.size() * kRun);
-  std::uint32_t* const free = free_.data();
-  std::size_t count = 0;
-  // Without branches: every point is written, and the next one over it if it is not free.
-  for (const std::uint32_t run : runs) {
-    const std::size_t end = std::min((run + 1) * kRun, cloud.size());
-    for (std::size_t i = run * kRun; i < end; ++i) {
-      free[count] = static_cast<std::uint32_t>(i);
-      count += cloud.valid(i) & (labels == nullptr || (*labels)[i] == 0) ? 1 : 0;
-    }
-  }
-  free_.resize(count);
+void Sampler::begin(const Cloud& cloud, const PointRuns& runs) {
+  cloud_ = &cloud;
+  runs_ = &runs;
+  left_ = runs.measured;
+  free_ = left_;
 }
 
-void Sampler::draw(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples) {
+void Sampler::keepTo(const std::vector<std::uint64_t>& wanted) {
+  free_.resize(left_.size());
+  for (std::size_t k = 0; k < left_.size(); ++k) free_[k] = left_[k] & wanted[k];
+}
+
+/// One at random of each of `count` equal parts.
+void Sampler::choose(std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  drawParts(free_, std::min(count, free_.size()), random, chosen_);
-  gather(cloud, chosen_, samples);
+  std::uint64_t all = 0;
+  for (const std::uint64_t bits : free_) all += countOf(bits);
+  chosen_.resize(std::min<std::size_t>(count, all));
+  const std::uint64_t parts = chosen_.size();
+  std::size_t run = 0;
+  std::uint64_t before = 0;  // free points of the runs before this one
+  std::uint64_t first = 0;
+  for (std::uint64_t k = 0; k < parts; ++k) {
+    const std::uint64_t end = (k + 1) * all / parts;
+    const std::uint64_t number = first + random.below(end - first);
+    first = end;
+    for (std::uint32_t here = countOf(free_[run]); number >= before + here; here = countOf(free_[run])) {
+      before += here;
+      ++run;
+    }
+    const std::uint32_t place = placeOf(free_[run], static_cast<std::uint32_t>(number - before));
+    left_[run] &= ~(std::uint64_t{1} << place);
+    chosen_[k] = static_cast<std::uint32_t>(runs_->number[run] * kRun + place);
+  }
+}
+
+void Sampler::draw(std::size_t count, std::uint64_t seed, Samples& samples) {
+  choose(count, seed);
+  gather(*cloud_, chosen_, samples);
   along_curve_.clear();
   for (const std::uint32_t i : curve_.order(samples.x, samples.y, samples.z)) along_curve_.push_back(chosen_[i]);
-  gather(cloud, along_curve_, samples);
+  gather(*cloud_, along_curve_, samples);
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
   for (std::vector<float>* normal : {&samples.nx, &samples.ny, &samples.nz})
     std::fill(normal->begin(), normal->end(), kMissing);
-  drawn_.insert(drawn_.end(), chosen_.begin(), chosen_.end());
 }
 
 void drawSamples(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples) {
   Sampler sampler;
   PointRuns runs;
   findRuns(cloud, runs);
-  sampler.findFree(cloud, runs.number, nullptr);
-  sampler.draw(cloud, count, seed, samples);
+  sampler.begin(cloud, runs);
+  sampler.draw(count, seed, samples);
 }
 
 double boundingBoxDiagonal(const Samples& samples) {

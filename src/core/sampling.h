@@ -6,30 +6,36 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/point_runs.h"
 #include "core/samples.h"
 #include "core/space_curve.h"
 #include "primitect/cloud.h"
 
 namespace primitect {
 
-/// Draws a frame's samples, round by round; no point twice. Same cloud, rounds and seeds, same samples.
+/// Draws a frame's samples, round by round; no point twice. Same cloud, rounds and seeds, same samples. Of each run of
+/// points it knows which are free by a bit for each, so that a round costs as much as there are runs.
 class Sampler {
  public:
-  /// A new frame, of which nothing is drawn yet.
-  void begin() { drawn_.clear(); }
+  /// A new frame: all measured points of these runs are free. Both must stay.
+  void begin(const Cloud& cloud, const PointRuns& runs);
 
-  /// Looks for the free points of these runs (see point_runs.h): valid and without a label; null: all are without.
-  /// Those that were drawn before get one.
-  void findFree(const Cloud& cloud, const std::vector<std::uint32_t>& runs, std::vector<std::uint32_t>* labels);
+  /// For the next draw only points with a bit in `wanted` are free, one word for each run; see PointRuns::measured.
+  void keepTo(const std::vector<std::uint64_t>& wanted);
 
   /// Draws min(count, free points) samples: one at random of each of count equal parts of the free points in the
   /// cloud's order, then sorted along a curve through space. Normals are left missing.
-  void draw(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samples& samples);
+  void draw(std::size_t count, std::uint64_t seed, Samples& samples);
 
  private:
+  void choose(std::size_t count, std::uint64_t seed);
+
+  const Cloud* cloud_ = nullptr;
+  const PointRuns* runs_ = nullptr;
+  std::vector<std::uint64_t> left_;  ///< measured and never drawn
+  std::vector<std::uint64_t> free_;
   SpaceCurve curve_;
-  std::vector<std::uint32_t> free_, chosen_, along_curve_;  ///< indices of points in the cloud
-  std::vector<std::uint32_t> drawn_;                        ///< the same, in all rounds
+  std::vector<std::uint32_t> chosen_, along_curve_;  ///< indices of points in the cloud
 };
 
 /// The first samples of a cloud.

@@ -223,8 +223,8 @@ std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const std::ve
 
 }  // namespace
 
-TruncationFinder::TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma)
-    : cloud_(cloud), rays_(findRays(cloud)), range_(range), sigma_(std::move(sigma)) {}
+TruncationFinder::TruncationFinder(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, PointNoise sigma)
+    : cloud_(cloud), rays_(rays), range_(range), sigma_(std::move(sigma)) {}
 
 std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
                                     const std::vector<std::uint32_t>& inlier_points) const {

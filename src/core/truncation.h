@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/image_rays.h"
@@ -17,7 +18,9 @@ namespace primitect {
 class TruncationFinder {
  public:
   /// range: outside of it, points of this cloud were made missing. sigma(p): m, noise of the distance to a surface.
-  TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma);
+  TruncationFinder(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, PointNoise sigma);
+  TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma)
+      : TruncationFinder(cloud, findRays(cloud), range, std::move(sigma)) {}
 
   /// Bits of Truncation for a shape with these points of the cloud. From the outermost of them the image is followed
   /// along the surface to the first pixel that is not on it, in rows and columns; a tenth of these walks decides:

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/image_rays.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -14,12 +15,6 @@ namespace primitect {
 struct WindowNormal {
   Vec3 direction;
   double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
-};
-
-/// How much x/z grows from column to column of a pinhole image, and y/z from row to row; 0: not known, or no such
-/// image.
-struct PixelPitch {
-  double u = 0.0, v = 0.0;
 };
 
 /// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of

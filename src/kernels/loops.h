@@ -157,7 +157,8 @@ struct Loops {
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                     float* distance);
 
-  /// Gains of the samples [begin, end), at most kMostGains, into gain[0 ..]; kNoGain where there is none. side: -1 where the surface is seen from inside; scale: of the tolerances, inverse.
+  /// Gains of the samples [begin, end), at most kMostGains, into gain[0 ..]; kNoGain where there is none. side: -1
+  /// where the surface is seen from inside; scale: of the tolerances, inverse.
   GainSums (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
                     std::size_t end, float* gain);
 
@@ -183,6 +184,13 @@ struct Loops {
   /// the point is allowed, holds it; 0: none.
   void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count, const float* x,
                 const float* y, const float* z, std::uint32_t* labels);
+
+  /// A bit for each of kPointsPerRun points, the first one lowest: set where `label` gives none.
+  std::uint64_t (*unexplained)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
+                               const float* x, const float* y, const float* z);
+
+  /// A bit for each of up to kPointsPerRun numbers, the first one lowest: set where it is not NaN.
+  std::uint64_t (*measured)(const float* values, std::size_t count);
 
   void (*feet)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                const FlatFeet& feet);

@@ -48,7 +48,8 @@ struct TwoHalves {
   static constexpr std::uint32_t kWidth = 64, kHeight = 48;
   Random random{1};
   Cloud cloud;
-  std::vector<std::uint32_t> labels, far_sides, of_left;
+  std::vector<std::uint32_t> labels, of_left;
+  std::vector<bool> has_far_side;
   std::vector<Detection> detections = {seen(kFloor, test::patchOf(kFloor, 100, 0.1, random)),
                                        seen(kFloor, test::patchOf(kFloor, 100, 0.1, random))};
 
@@ -61,7 +62,7 @@ struct TwoHalves {
     }
   }
   std::vector<std::uint32_t> clear() const {
-    return ClearPoints(cloud, {}, detections, labels, far_sides, kDepthCamera).of(0, of_left);
+    return ClearPoints(cloud, {}, detections, labels, has_far_side, kDepthCamera).of(0, of_left);
   }
 };
 
@@ -85,10 +86,8 @@ TEST(ClearPoints, OfAnImageMayBeBesidePixelsThatWereNotMeasured) {
 
 TEST(ClearPoints, OfAWallSeenFromBothSidesAreFourPixelsOrMoreFromItsInside) {
   TwoHalves halves;
-  halves.far_sides.assign(halves.labels.size(), 0);
-  for (std::size_t i = 0; i < halves.labels.size(); ++i) {
-    if (halves.labels[i] == 2) halves.labels[i] = 0, halves.far_sides[i] = 1;
-  }
+  halves.has_far_side = {true, false};
+  for (std::uint32_t& label : halves.labels) label = label == 2 ? 1 | kFarSide : label;
   const std::vector<std::uint32_t> clear = halves.clear();
   const std::uint32_t row = 20 * TwoHalves::kWidth, border = row + TwoHalves::kWidth / 2;
   EXPECT_FALSE(contains(clear, border - 4));
@@ -109,7 +108,7 @@ struct BallOnFloor {
   std::vector<SurfacePoint> points;
   Cloud cloud;
   std::vector<Detection> detections;
-  std::vector<std::uint32_t> labels, far_sides;
+  std::vector<std::uint32_t> labels;
   CloudNormals normals;
   static constexpr std::size_t kCount = 2000;
 
@@ -123,7 +122,7 @@ struct BallOnFloor {
     labels.resize(2 * kCount, 2);
   }
   std::vector<std::uint32_t> clearOfFloor() const {
-    return ClearPoints(cloud, normals, detections, labels, far_sides, kModel).of(0, upTo(kCount));
+    return ClearPoints(cloud, normals, detections, labels, {}, kModel).of(0, upTo(kCount));
   }
 };
 
@@ -201,9 +200,11 @@ struct WholeBall {
 TEST(FarSides, LoseTheirLabels) {
   for (const bool concave : {false, true}) {
     WholeBall ball(concave);
-    const std::vector<std::uint32_t> taken = dropFarSides(ball.cloud, ball.detections, ball.labels);
+    std::vector<std::uint32_t> marked = ball.labels;
+    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, marked), std::vector<bool>{true});
+    dropFarSides(ball.cloud, ball.detections, ball.labels);
     for (std::size_t i = 0; i < ball.labels.size(); ++i) {
-      EXPECT_EQ(taken[i], 1 - ball.labels[i]);
+      EXPECT_EQ(marked[i], ball.labels[i] == 1 ? 1 : 1 | kFarSide);
       EXPECT_EQ(ball.labels[i] == 1, ball.faces_camera[i] != concave) << concave << " " << i;
     }
   }
@@ -212,7 +213,7 @@ TEST(FarSides, LoseTheirLabels) {
 TEST(FarSides, AreNotTakenFromPlanes) {
   TwoHalves halves;
   const std::vector<std::uint32_t> before = halves.labels;
-  EXPECT_TRUE(dropFarSides(halves.cloud, halves.detections, halves.labels).empty());
+  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, halves.labels), std::vector<bool>(2, false));
   EXPECT_EQ(halves.labels, before);
 }
 

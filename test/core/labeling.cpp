@@ -107,6 +107,16 @@ TEST(LabelPoints, GivesEachPointToTheNearestShapeOnWhosePartItLies) {
   }
 }
 
+TEST(PointRuns, KnowWhichPointsWereMeasured) {
+  const Cloud cloud = cloudInOrder();
+  PointRuns runs;
+  findRuns(cloud, runs);
+  for (std::size_t i = 0; i < runs.size() * kernels::kPointsPerRun; ++i) {
+    const bool measured = runs.measured[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
+    ASSERT_EQ(measured, i < cloud.size() && cloud.valid(i)) << i;
+  }
+}
+
 TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
   const Cloud cloud = cloudInOrder();
   std::vector<Detection> many(40), few = detections();
@@ -116,6 +126,26 @@ TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
   labelPoints(cloud, few, kEverywhereAlike, labels);
   labelPoints(cloud, many, kEverywhereAlike, labels_of_many);
   for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_EQ(labels_of_many[i], labels[i] == 0 ? 0 : labels[i] + 40) << i;
+}
+
+TEST(Unexplained, AreThePointsWithoutALabel) {
+  const Cloud cloud = cloudInOrder();
+  const std::vector<Detection> items = detections();
+  Labeling labeling;
+  labeling.begin(cloud);
+  std::vector<std::uint32_t> labels;
+  std::vector<std::uint64_t> unexplained;
+  for (const std::size_t count : {items.size(), std::size_t{1}, std::size_t{0}}) {
+    const std::vector<Detection> some(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count));
+    labeling.label(some, kOfDepthCamera, labeling.allRuns(), labels);
+    labeling.findUnexplained(some, kOfDepthCamera, labeling.allRuns(), unexplained);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const bool free = unexplained[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
+      if (cloud.valid(i)) {
+        ASSERT_EQ(free, labels[i] == 0) << i;
+      }
+    }
+  }
 }
 
 TEST(LabelPoints, OfNothingAreNone) {

@@ -20,14 +20,30 @@ namespace {
 using test::cameraCloud;
 using test::patchOf;
 
-/// From all points of the cloud.
-void draw(Sampler& sampler, const Cloud& cloud, std::vector<std::uint32_t>* labels, std::size_t count,
-          std::uint64_t seed, Samples& samples) {
-  PointRuns all;
-  findRuns(cloud, all);
-  sampler.findFree(cloud, all.number, labels);
-  sampler.draw(cloud, count, seed, samples);
-}
+/// Draws from all points of a cloud.
+struct Draws {
+  const Cloud& cloud;
+  PointRuns runs;
+  Sampler sampler;
+
+  explicit Draws(const Cloud& of) : cloud(of) {
+    findRuns(cloud, runs);
+    sampler.begin(cloud, runs);
+  }
+  /// Only points without a label are free.
+  void keepWithout(const std::vector<std::uint32_t>& labels) {
+    std::vector<std::uint64_t> bits(runs.size(), 0);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (labels[i] == 0) bits[i / kernels::kPointsPerRun] |= std::uint64_t{1} << i % kernels::kPointsPerRun;
+    }
+    sampler.keepTo(bits);
+  }
+  Samples draw(std::size_t count, std::uint64_t seed) {
+    Samples samples;
+    sampler.draw(count, seed, samples);
+    return samples;
+  }
+};
 
 TEST(Sampling, DrawsValidPointsOnceSpreadOverTheCloud) {
   Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
@@ -64,13 +80,13 @@ TEST(Sampling, LeavesOutThePointsThatHaveALabel) {
   const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   std::vector<std::uint32_t> labels(cloud.size(), 3);
   for (std::size_t i = 5000; i < 5100; ++i) labels[i] = 0;
-  Sampler sampler;
-  Samples samples;
-  draw(sampler, cloud, &labels, 60, 1, samples);
+  Draws draws(cloud);
+  draws.keepWithout(labels);
+  Samples samples = draws.draw(60, 1);
   EXPECT_EQ(samples.size(), 60u);
   for (const std::uint32_t i : samples.index) EXPECT_TRUE(5000 <= i && i < 5100) << i;
-  draw(sampler, cloud, &labels, 1000, 2, samples);
-  EXPECT_EQ(samples.size(), 40u);
+  draws.keepWithout(labels);
+  EXPECT_EQ(draws.draw(1000, 2).size(), 40u);
 }
 
 TEST(Sampling, SpreadsLaterRoundsOverWhatIsFree) {
@@ -78,10 +94,10 @@ TEST(Sampling, SpreadsLaterRoundsOverWhatIsFree) {
   const std::size_t first = 6400, free = 6400;
   std::vector<std::uint32_t> labels(cloud.size(), 1);
   std::fill_n(labels.begin() + first, free, 0u);
-  Sampler sampler;
-  Samples samples;
-  draw(sampler, cloud, nullptr, 1000, 1, samples);
-  draw(sampler, cloud, &labels, 1000, 2, samples);
+  Draws draws(cloud);
+  draws.draw(1000, 1);
+  draws.keepWithout(labels);
+  const Samples samples = draws.draw(1000, 2);
   ASSERT_EQ(samples.size(), 1000u);
   int per_quarter[4] = {0, 0, 0, 0};
   for (const std::uint32_t i : samples.index) ++per_quarter[(i - first) * 4 / free];
@@ -136,24 +152,36 @@ TEST(Sampling, DrawsNoPointTwiceAndInTheEndAllOfThem) {
   for (std::size_t i = 0; i < cloud.size(); i += 5) cloud.z[i] = std::numeric_limits<float>::quiet_NaN();
   cloud.valid_count = static_cast<std::uint32_t>(cloud.size() * 4 / 5);
   std::vector<std::uint32_t> labels(cloud.size(), 0);
-  Sampler sampler;
+  Draws draws(cloud);
   std::set<std::uint32_t> drawn;
   for (int round = 0; round < 4; ++round) {
-    Samples samples;
-    draw(sampler, cloud, &labels, 4000, round, samples);
+    draws.keepWithout(labels);
+    const Samples samples = draws.draw(4000, round);
     EXPECT_EQ(samples.size(), round < 3 ? 4000u : 3360u);
     drawn.insert(samples.index.begin(), samples.index.end());
   }
   EXPECT_EQ(drawn.size(), cloud.valid_count);
 }
 
+TEST(Sampling, FindsTheOnlyFreePointWhereverItIs) {
+  const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  Draws draws(cloud);
+  for (std::size_t only = 0; only < 130; ++only) {
+    std::vector<std::uint32_t> labels(cloud.size(), 1);
+    labels[only] = 0;
+    draws.keepWithout(labels);
+    const Samples samples = draws.draw(10, only);
+    ASSERT_EQ(samples.size(), 1u);
+    EXPECT_EQ(samples.index[0], only);
+  }
+}
+
 TEST(Sampling, BeginsAnewWithEveryFrame) {
   const Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
-  Sampler sampler;
-  Samples first, second;
-  draw(sampler, cloud, nullptr, 15000, 1, first);
-  sampler.begin();
-  draw(sampler, cloud, nullptr, 15000, 1, second);
+  Draws draws(cloud);
+  const Samples first = draws.draw(15000, 1);
+  draws.sampler.begin(cloud, draws.runs);
+  const Samples second = draws.draw(15000, 1);
   EXPECT_EQ(first.index, second.index);
 }
 

@@ -222,6 +222,34 @@ TEST(ImageRays, AreThoseOfTheCamera) {
   }
 }
 
+TEST(PixelPitch, IsOnePixelOfTheCamera) {
+  View view;
+  addTable(view.world);
+  view.render();
+  const PixelPitch pitch = pitchOf(findRays(view.cloud));
+  const Vec3 here = view.camera.ray(320, 240), next = view.camera.ray(321, 241);
+  // A window of 15 pixels is then as wide as it should be to a thousandth of a pixel.
+  EXPECT_NEAR(pitch.u, next.x() / next.z() - here.x() / here.z(), 1e-4 * pitch.u);
+  EXPECT_NEAR(pitch.v, next.y() / next.z() - here.y() / here.z(), 1e-4 * pitch.v);
+}
+
+TEST(PixelPitch, IsUnknownWhereRaysAreOffByATenthOfAPixelOrThereAreNone) {
+  View view;
+  addTable(view.world);
+  view.render();
+  Random random(3);
+  const double pixel = findRays(view.cloud).x_scale;
+  Cloud moved = view.cloud;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    moved.x[i] += static_cast<float>(0.1 * pixel * random.gaussian()) * moved.z[i];
+  }
+  EXPECT_TRUE(findRays(moved).known);
+  EXPECT_EQ(pitchOf(findRays(moved)).u, 0.0);
+  Cloud flattened = view.cloud;
+  flattened.width *= flattened.height, flattened.height = 1;
+  EXPECT_EQ(pitchOf(findRays(flattened)).u, 0.0);
+}
+
 TEST(ImageRays, EndWhereTheSensorMeasuresNothing) {
   View view;
   addTable(view.world, 1.0, 1.0);

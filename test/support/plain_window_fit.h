@@ -57,7 +57,7 @@ inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, con
   };
   const int points = plainPass(image, task, reach, [](double, double, double d) { return d == d; }).used;
   plane = refit(task.tolerance);
-  if (plane.used == 0 || plane.used > 0.97 * points) return plane;
+  if (plane.used == 0 || plane.used > 0.9 * points) return plane;
   return refit(task.tolerance);
 }
 
