@@ -76,6 +76,8 @@ struct FitPoints {
 struct NormalEquations {
   double hessian[6][6];
   double right[6];
+  double weight;     ///< sum of the weights of the biweight, 1 for a point on the shape
+  double curvature;  ///< sum of the derivatives of what they make of the distances, by the distances
 };
 
 /// Sums over points p with normals n: of f, f f' (lower triangle) with f = (p, n), and of n n'p.
@@ -157,7 +159,8 @@ struct Loops {
   void (*distances)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                     float* distance);
 
-  /// Gains of the samples [begin, end), at most kMostGains, into gain[0 ..]; kNoGain where there is none. side: -1 where the surface is seen from inside; scale: of the tolerances, inverse.
+  /// Gains of the samples [begin, end), at most kMostGains, into gain[0 ..]; kNoGain where there is none. side: -1
+  /// where the surface is seen from inside; scale: of the tolerances, inverse.
   GainSums (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
                     std::size_t end, float* gain);
 
