@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/selection.h"
+
 namespace primitect {
 
 void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
@@ -20,22 +22,34 @@ void gather(const Samples& samples, const HeldGains& held, const Candidate& cand
 
 namespace {
 
-/// Fits the hypothesis to the set, and to all that it then explains, until it grows no more; false when nothing comes
-/// of it.
-bool grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, std::vector<std::uint32_t> set,
-          Hypothesis& hypothesis, Refusals& refusals) {
+/// What comes of a candidate.
+enum class Outcome { nothing, known, grown };
+
+/// One of the pool is like the hypothesis, and explains about as much.
+bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) {
+  constexpr double kBetter = 1.003;
+  return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
+    return hypothesis.gain_sum < kBetter * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
+  });
+}
+
+/// Fits the hypothesis to the set, and to all that it then explains, until it grows no more, or into what is in the
+/// pool.
+Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, std::vector<std::uint32_t> set,
+             const std::vector<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
   constexpr int kGrowths = 3;
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   std::size_t before = 0;
   for (int growth = 0; growth < kGrowths && set.size() > before + before / 20; ++growth) {
     before = set.size();
-    if (!bestOfKinds(samples, held, set, rules, hypothesis, &refusals)) return false;
+    if (!bestOfKinds(samples, held, set, rules, hypothesis, &refusals)) return Outcome::nothing;
+    if (isKnown(hypothesis, pool)) return Outcome::known;
     inliersOf(hypothesis, set);
     if (set.size() >= needed) continue;
     ++refusals[Refusal::few_inliers];
-    return false;
+    return Outcome::nothing;
   }
-  return true;
+  return Outcome::grown;
 }
 
 /// What so many stronger candidates could not explain, a weaker one will not.
@@ -64,10 +78,13 @@ void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::ve
     graph.connected(set_, candidate.sample, part_);
     if (static_cast<std::size_t>(std::count_if(part_.begin(), part_.end(), unexplained)) < needed / 2) {
       ++refusals[Refusal::few_inliers];
-    } else if (grow(samples, held_, rules, part_, hypothesis, refusals)) {
-      hold(hypothesis, held_);
-      pool.push_back(std::move(hypothesis));
-      continue;
+    } else {
+      const Outcome outcome = grow(samples, held_, rules, part_, pool, hypothesis, refusals);
+      if (outcome != Outcome::nothing) hold(hypothesis, held_);
+      if (outcome == Outcome::grown) {
+        pool.push_back(std::move(hypothesis));
+        continue;
+      }
     }
     for (const std::uint32_t i : part_) failures_[i] = std::min<std::uint8_t>(failures_[i] + 1, kTries);
   }
