@@ -6,18 +6,57 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/flat.h"
 #include "core/selection.h"
 
 namespace primitect {
 
-void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
-            Hypothesis& hypothesis, std::vector<std::uint32_t>& set) {
+namespace {
+
+/// A plane goes through its reference: only its direction is rough.
+double widenFor(const Candidate& candidate, const ProposalRules& rules) {
+  return kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen;
+}
+
+void describe(const Candidate& candidate, Hypothesis& hypothesis) {
   hypothesis.shape = candidate.shape;
   hypothesis.concave = candidate.concave;
   hypothesis.votes = candidate.votes;
-  // A plane goes through its reference: only its direction is rough.
-  const double widen = kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen;
-  inliersAround(candidate.point, rules.reach, samples, held, widen, hypothesis, set);
+}
+
+/// What gather() asks of all samples, for one.
+class MayStandFor {
+ public:
+  MayStandFor(const Samples& samples, const Candidate& candidate, const ProposalRules& rules)
+      : judged_(samples.judged()),
+        shape_(flattened(candidate.shape, Vec3::Zero())),
+        side_(candidate.concave ? -1.0f : 1.0f),
+        scale_(static_cast<float>(1.0 / widenFor(candidate, rules))),
+        point_(candidate.point.cast<float>()),
+        reach_(static_cast<float>(rules.reach)) {}
+
+  bool operator()(std::uint32_t i) const {
+    const Eigen::Vector3f way = Eigen::Vector3f(judged_.x[i], judged_.y[i], judged_.z[i]) - point_;
+    if (!(way.squaredNorm() <= reach_ * reach_)) return false;
+    float gain = kernels::kNoGain;
+    kernels::loops().gains(shape_, side_, scale_, judged_, i, i + 1, &gain);
+    return gain > 0.0f;
+  }
+
+ private:
+  kernels::JudgedSamples judged_;
+  kernels::FlatShape shape_;
+  float side_, scale_;
+  Eigen::Vector3f point_;
+  float reach_;
+};
+
+}  // namespace
+
+void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
+            Hypothesis& hypothesis, std::vector<std::uint32_t>& set) {
+  describe(candidate, hypothesis);
+  inliersAround(candidate.point, rules.reach, samples, held, widenFor(candidate, rules), hypothesis, set);
 }
 
 namespace {
@@ -74,8 +113,8 @@ void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::ve
   for (const Candidate& candidate : candidates) {
     if (!wants(candidate.sample)) continue;
     Hypothesis hypothesis;
-    gather(samples, held_, candidate, rules, hypothesis, set_);
-    graph.connected(set_, candidate.sample, part_);
+    describe(candidate, hypothesis);
+    graph.connected(candidate.sample, MayStandFor(samples, candidate, rules), part_);
     if (static_cast<std::size_t>(std::count_if(part_.begin(), part_.end(), unexplained)) < needed / 2) {
       ++refusals[Refusal::few_inliers];
     } else {

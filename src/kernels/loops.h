@@ -31,7 +31,7 @@ struct JudgedSamples {
   const float* inverse_tolerance;  ///< 1/m: distance at which nothing is gained
   const float* normal_loss;        ///< what 1 - cos of the normals' angle takes from the gain
   const float* farthest_turn;      ///< 1 - cos from which on a normal belongs to another surface
-  const float* held;               ///< best gain that other shapes have
+  const float* held;               ///< best gain that other shapes have; null when no sums are wanted
 };
 
 /// Gain of a sample that has nothing to do with the shape.
