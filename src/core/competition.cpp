@@ -48,7 +48,8 @@ std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& poin
     if (curved || kindOf(*shape) == Kind::plane) starts.push_back({*shape, concave});
   };
   add(hypothesis.shape, hypothesis.concave);
-  add(fitFromMoments(Kind::plane, moments), false);
+  // From anywhere near, there is only one plane to come to.
+  if (starts.empty() || kindOf(starts[0].shape) != Kind::plane) add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {
     if (!curved) break;
     if (params.convexity == (concave ? "convex" : "concave")) continue;
@@ -67,8 +68,8 @@ int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std:
   points.gather({samples, set});
   // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
   // below what few samples can tell. With six steps instead of ten a twentieth of the cones become cylinders.
-  constexpr double kSmallStep = 0.005;  // of the noise
-  const RefineRules refine_rules = {rules.widen, 2, 10, kSmallStep * points.meanSigma()};
+  constexpr double kSmallStep = 0.02;  // of the noise
+  const RefineRules refine_rules = {rules.widen, 2, 10, kSmallStep / kInlierDeviations};
   int refused = 0;
   Hypothesis trial;
   for (const Start& start : startsFor(hypothesis, points, rules)) {

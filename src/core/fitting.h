@@ -43,7 +43,8 @@ struct RefineRules {
   double widen = 1.0;        ///< times the tolerance in the first steps, so that a poor start is not left where it is
   int wide_steps = 0;        ///< how many these are
   int most_steps = 10;       ///< these included
-  double small_step = 1e-7;  ///< m, rad: after a step smaller than this there is no other
+  double small_step = 1e-4;  ///< after a step that moves the surface at the points by less there is no other; root of
+                             ///< the mean square of what it moves by, in shares of the tolerance
 };
 
 /// The shape with least sum of Tukey's biweight of geometric distances, by Gauss-Newton from the given start; points

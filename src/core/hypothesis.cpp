@@ -16,16 +16,16 @@ namespace {
 using BlockGains = std::array<float, SampleBlocks::kSize>;
 static_assert(SampleBlocks::kSize == kernels::kMostGains);
 
-/// Calls use(block, sums, gains) for each wanted block with samples near the shape.
+/// Calls use(block, sums, gains) for each wanted block with samples near the shape: within `reach` times the tolerance.
 template <class Wanted, class Use>
-void forGains(const Samples& samples, const HeldGains& held, double widen, const Hypothesis& hypothesis,
+void forGains(const Samples& samples, const HeldGains& held, double widen, float reach, const Hypothesis& hypothesis,
               const Wanted& wanted, const Use& use) {
   const kernels::FlatShape shape = flattened(hypothesis.shape, Vec3::Zero());
   const kernels::JudgedSamples judged = samples.judged(held);
   const float side = hypothesis.concave ? -1.0f : 1.0f;
   const float scale = static_cast<float>(1.0 / widen);
   BlockGains gains;
-  samples.blocks.forNear(shape, static_cast<float>(widen), [&](const SampleBlock& block) {
+  samples.blocks.forNear(shape, reach * static_cast<float>(widen), [&](const SampleBlock& block) {
     if (!wanted(block)) return;
     const kernels::GainSums sums =
         kernels::loops().gains(shape, side, scale, judged, block.begin, block.end, gains.data());
@@ -58,7 +58,7 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
     use(block, gains);
   };
   forGains(
-      samples, held, widen, hypothesis, [](const SampleBlock&) { return true; }, add);
+      samples, held, widen, kernels::kGainReach, hypothesis, [](const SampleBlock&) { return true; }, add);
   hypothesis.score = counted - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
 }
 
@@ -97,7 +97,8 @@ void inliersAround(const Vec3& point, double reach, const Samples& samples, cons
       if (way.squaredNorm() <= radius * radius) inliers.push_back(static_cast<std::uint32_t>(i));
     }
   };
-  forGains(samples, held, widen, hypothesis, within, add);
+  constexpr float kInliers = 1.0f;
+  forGains(samples, held, widen, kInliers, hypothesis, within, add);
 }
 
 bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {

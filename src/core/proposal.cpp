@@ -6,36 +6,89 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/flat.h"
+#include "core/selection.h"
+
 namespace primitect {
 
-void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
-            Hypothesis& hypothesis, std::vector<std::uint32_t>& set) {
+namespace {
+
+/// A plane goes through its reference: only its direction is rough.
+double widenFor(const Candidate& candidate, const ProposalRules& rules) {
+  return kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen;
+}
+
+void describe(const Candidate& candidate, Hypothesis& hypothesis) {
   hypothesis.shape = candidate.shape;
   hypothesis.concave = candidate.concave;
   hypothesis.votes = candidate.votes;
-  // A plane goes through its reference: only its direction is rough.
-  const double widen = kindOf(candidate.shape) == Kind::plane ? 1.0 : rules.widen;
-  inliersAround(candidate.point, rules.reach, samples, held, widen, hypothesis, set);
+}
+
+/// What gather() asks of all samples, for one.
+class MayStandFor {
+ public:
+  MayStandFor(const Samples& samples, const Candidate& candidate, const ProposalRules& rules)
+      : judged_(samples.judged()),
+        shape_(flattened(candidate.shape, Vec3::Zero())),
+        side_(candidate.concave ? -1.0f : 1.0f),
+        scale_(static_cast<float>(1.0 / widenFor(candidate, rules))),
+        point_(candidate.point.cast<float>()),
+        reach_(static_cast<float>(rules.reach)) {}
+
+  bool operator()(std::uint32_t i) const {
+    const Eigen::Vector3f way = Eigen::Vector3f(judged_.x[i], judged_.y[i], judged_.z[i]) - point_;
+    if (!(way.squaredNorm() <= reach_ * reach_)) return false;
+    float gain = kernels::kNoGain;
+    kernels::loops().gains(shape_, side_, scale_, judged_, i, i + 1, &gain);
+    return gain > 0.0f;
+  }
+
+ private:
+  kernels::JudgedSamples judged_;
+  kernels::FlatShape shape_;
+  float side_, scale_;
+  Eigen::Vector3f point_;
+  float reach_;
+};
+
+}  // namespace
+
+void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
+            Hypothesis& hypothesis, std::vector<std::uint32_t>& set) {
+  describe(candidate, hypothesis);
+  inliersAround(candidate.point, rules.reach, samples, held, widenFor(candidate, rules), hypothesis, set);
 }
 
 namespace {
 
-/// Fits the hypothesis to the set, and to all that it then explains, until it grows no more; false when nothing comes
-/// of it.
-bool grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, std::vector<std::uint32_t> set,
-          Hypothesis& hypothesis, Refusals& refusals) {
+/// What comes of a candidate.
+enum class Outcome { nothing, known, grown };
+
+/// One of the pool is like the hypothesis, and explains about as much.
+bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) {
+  constexpr double kBetter = 1.003;
+  return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
+    return hypothesis.gain_sum < kBetter * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
+  });
+}
+
+/// Fits the hypothesis to the set, and to all that it then explains, until it grows no more, or into what is in the
+/// pool.
+Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, std::vector<std::uint32_t> set,
+             const std::vector<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
   constexpr int kGrowths = 3;
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   std::size_t before = 0;
   for (int growth = 0; growth < kGrowths && set.size() > before + before / 20; ++growth) {
     before = set.size();
-    if (!bestOfKinds(samples, held, set, rules, hypothesis, &refusals)) return false;
+    if (!bestOfKinds(samples, held, set, rules, hypothesis, &refusals)) return Outcome::nothing;
+    if (isKnown(hypothesis, pool)) return Outcome::known;
     inliersOf(hypothesis, set);
     if (set.size() >= needed) continue;
     ++refusals[Refusal::few_inliers];
-    return false;
+    return Outcome::nothing;
   }
-  return true;
+  return Outcome::grown;
 }
 
 /// What so many stronger candidates could not explain, a weaker one will not.
@@ -60,14 +113,17 @@ void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::ve
   for (const Candidate& candidate : candidates) {
     if (!wants(candidate.sample)) continue;
     Hypothesis hypothesis;
-    gather(samples, held_, candidate, rules, hypothesis, set_);
-    graph.connected(set_, candidate.sample, part_);
+    describe(candidate, hypothesis);
+    graph.connected(candidate.sample, MayStandFor(samples, candidate, rules), part_);
     if (static_cast<std::size_t>(std::count_if(part_.begin(), part_.end(), unexplained)) < needed / 2) {
       ++refusals[Refusal::few_inliers];
-    } else if (grow(samples, held_, rules, part_, hypothesis, refusals)) {
-      hold(hypothesis, held_);
-      pool.push_back(std::move(hypothesis));
-      continue;
+    } else {
+      const Outcome outcome = grow(samples, held_, rules, part_, pool, hypothesis, refusals);
+      if (outcome != Outcome::nothing) hold(hypothesis, held_);
+      if (outcome == Outcome::grown) {
+        pool.push_back(std::move(hypothesis));
+        continue;
+      }
     }
     for (const std::uint32_t i : part_) failures_[i] = std::min<std::uint8_t>(failures_[i] + 1, kTries);
   }

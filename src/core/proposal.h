@@ -35,7 +35,7 @@ class Proposer {
  private:
   HeldGains held_;
   std::vector<std::uint8_t> failures_;  ///< of each sample: candidates that came to nothing there
-  std::vector<std::uint32_t> set_, part_;
+  std::vector<std::uint32_t> part_;
 };
 
 }  // namespace primitect

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robust Gauss-Newton on geometric distances; see fitting.h.
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "core/fitting.h"
@@ -60,18 +61,40 @@ Gradient solve(const kernels::NormalEquations& equations) {
   return step;
 }
 
+/// With fixed weights a step is too short: points lose weight as the surface goes away from them. This times, it is
+/// Newton's as if distances were spread alike along all gradients; below 2 the sum of what is minimised falls all the
+/// same.
+double lengthOf(const kernels::NormalEquations& equations) {
+  constexpr double kMost = 1.9;
+  return equations.weight < kMost * equations.curvature ? std::max(1.0, equations.weight / equations.curvature) : kMost;
+}
+
+/// Whether steps are lengthened. Cylinders and cones creep along what they can hardly tell, and must not get farther
+/// on one kind than on the other: lengthened, one in a hundred ends as the wrong one of the two.
+template <class T>
+constexpr bool kLengthened = kKindOf<T> == Kind::plane || kKindOf<T> == Kind::sphere;
+
+/// Root mean square of what the step moves the surface by at the points is less than this share of the tolerance.
+bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, double share) {
+  const Eigen::Map<const Gradient> right(equations.right);
+  return step.dot(right) <= share * share * equations.weight;
+}
+
 template <class T>
 std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules) {
-  kernels::NormalEquations equations;
+  constexpr double kOfPlainSteps = 0.1;  // they do not end where the last one leads
+  const double small = rules.small_step * (kLengthened<T> ? 1.0 : kOfPlainSteps);
+  kernels::NormalEquations equations = {};
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     const Turn turn = turnOf(shape);
     kernels::loops().normalEquations(flattened(shape, points.origin()), flattened(turn), points.view(), scale,
                                      equations);
-    const Gradient step = toLocal(shape, turn, solve<parameterCount(kKindOf<T>)>(equations));
-    shape = stepped(shape, step);
+    const double length = kLengthened<T> ? lengthOf(equations) : 1.0;
+    const Gradient step = length * solve<parameterCount(kKindOf<T>)>(equations);
+    shape = stepped(shape, toLocal(shape, turn, step));
     if (!usable(shape)) return std::nullopt;
-    if (iteration >= rules.wide_steps && step.norm() < rules.small_step) break;
+    if (iteration >= rules.wide_steps && isSmall(step, equations, small)) break;
   }
   return shape;
 }

@@ -37,7 +37,7 @@ class SampleBlocks {
     return (point - center).norm() <= radius_[block.index] + radius;
   }
 
-  /// Calls use(block) for the runs with samples that may be within `widen` times twice their tolerance of the shape.
+  /// Calls use(block) for the runs with samples that may be within `widen` times their tolerance of the shape.
   template <class Use>
   void forNear(const kernels::FlatShape& shape, float widen, const Use& use) const {
     constexpr std::size_t kAtOnce = 64;
@@ -49,7 +49,7 @@ class SampleBlocks {
         const float away = distance[k] < 0.0f ? -distance[k] : distance[k];
         const std::size_t block = first + k;
         // Distances to a surface differ by no more than the points are apart.
-        if (away <= radius_[block] + kernels::kGainReach * widen * tolerance_[block])
+        if (away <= radius_[block] + widen * tolerance_[block])
           use(SampleBlock{block, begin_[block], end_[block]});
       }
     }

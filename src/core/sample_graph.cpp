@@ -74,17 +74,6 @@ void SampleGraph::grow(std::vector<std::uint32_t>& part) {
   }
 }
 
-void SampleGraph::connected(const std::vector<std::uint32_t>& set, std::uint32_t start,
-                            std::vector<std::uint32_t>& part) {
-  mark(set);
-  part.assign(1, start);
-  const bool start_in_set = state_[start] == kWaiting;
-  state_[start] = kReached;
-  grow(part);
-  if (!start_in_set) part.erase(part.begin());
-  std::sort(part.begin(), part.end());
-}
-
 std::vector<std::vector<std::uint32_t>> SampleGraph::parts(const std::vector<std::uint32_t>& set, std::size_t least) {
   std::vector<std::vector<std::uint32_t>> found;
   std::vector<std::uint32_t> part;

@@ -3,6 +3,7 @@
 // Which samples are next to each other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -27,9 +28,11 @@ class SampleGraph {
   /// Nearest first; of two that are as near (to 1e-7) the one of lower index.
   const Neighbors& of(std::uint32_t sample) const { return neighbors_[sample]; }
 
-  /// Of the set (rising indices), those that can be reached from the start through neighbours in the set, in rising
-  /// order. The start need not be in the set; nothing when none of its neighbours is.
-  void connected(const std::vector<std::uint32_t>& set, std::uint32_t start, std::vector<std::uint32_t>& part);
+  /// Of the samples that belongs(sample) is true of, those that can be reached from the start through others of them,
+  /// in rising order. The start need not be one of them; nothing when none of its neighbours is. Asks once about each
+  /// sample that it comes to.
+  template <class Belongs>
+  void connected(std::uint32_t start, const Belongs& belongs, std::vector<std::uint32_t>& part);
 
   /// The connected parts of the set (rising indices) that have at least `least` samples, each in rising order.
   std::vector<std::vector<std::uint32_t>> parts(const std::vector<std::uint32_t>& set, std::size_t least);
@@ -49,5 +52,22 @@ class SampleGraph {
   std::vector<Neighbors> neighbors_;
   std::vector<std::uint8_t> state_;  ///< of each sample while parts are looked for
 };
+
+template <class Belongs>
+void SampleGraph::connected(std::uint32_t start, const Belongs& belongs, std::vector<std::uint32_t>& part) {
+  constexpr std::uint8_t kAsked = 1;
+  state_.assign(neighbors_.size(), 0);
+  state_[start] = kAsked;
+  part.assign(1, start);
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    for (const std::uint32_t j : neighbors_[part[k]]) {
+      if (state_[j] == kAsked) continue;
+      state_[j] = kAsked;
+      if (belongs(j)) part.push_back(j);
+    }
+  }
+  if (!belongs(start)) part.erase(part.begin());
+  std::sort(part.begin(), part.end());
+}
 
 }  // namespace primitect

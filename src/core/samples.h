@@ -62,6 +62,11 @@ struct Samples {
   kernels::Samples view() const { return {x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data(), x.size()}; }
   /// held: the best gain that other shapes have at each sample.
   kernels::JudgedSamples judged(const std::vector<float>& held) const {
+    kernels::JudgedSamples all = judged();
+    all.held = held.data();
+    return all;
+  }
+  kernels::JudgedSamples judged() const {
     return {x.data(),
             y.data(),
             z.data(),
@@ -71,7 +76,7 @@ struct Samples {
             inverse_tolerance.data(),
             normal_loss.data(),
             farthest_turn.data(),
-            held.data()};
+            nullptr};
   }
 
  private:

@@ -31,7 +31,7 @@ struct JudgedSamples {
   const float* inverse_tolerance;  ///< 1/m: distance at which nothing is gained
   const float* normal_loss;        ///< what 1 - cos of the normals' angle takes from the gain
   const float* farthest_turn;      ///< 1 - cos from which on a normal belongs to another surface
-  const float* held;               ///< best gain that other shapes have
+  const float* held;               ///< best gain that other shapes have; null when no sums are wanted
 };
 
 /// Gain of a sample that has nothing to do with the shape.
@@ -76,6 +76,8 @@ struct FitPoints {
 struct NormalEquations {
   double hessian[6][6];
   double right[6];
+  double weight;     ///< sum of the weights of the biweight, 1 for a point on the shape
+  double curvature;  ///< sum of the derivatives of what they make of the distances, by the distances
 };
 
 /// Sums over points p with normals n: of f, f f' (lower triangle) with f = (p, n), and of n n'p.

@@ -128,6 +128,20 @@ TEST(Proposal, IsSkippedWhereTheReferenceIsExplainedAlready) {
   EXPECT_EQ(proposed(samples, {proposalAt(kBall, samples, 0), proposalAt(shifted, samples, 1)}).pool.size(), 1u);
 }
 
+TEST(Proposal, ThatComesToWhatIsKnownIsNotAddedAgain) {
+  Random random(79);
+  const Samples samples = noisy(patchOf(kBall, 300, random), 8);
+  const std::vector<Candidate> candidates = {proposalAt(kBall, samples, 0)};
+  Proposed result = proposed(samples, candidates);
+  ASSERT_EQ(result.pool.size(), 1u);
+  SampleGraph graph;
+  graph.build(samples);
+  Proposer unaware;  // of what explains the samples
+  unaware.begin(HeldGains(samples.size(), 0.0f));
+  unaware.propose(samples, graph, candidates, rulesOf(Params()), result.pool, result.refusals);
+  EXPECT_EQ(result.pool.size(), 1u);
+}
+
 TEST(Proposal, KeepsLimitsAfterRefinement) {
   Random random(75);
   const Samples samples = noisy(patchOf(kBall, 300, random), 5);

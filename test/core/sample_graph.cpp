@@ -41,7 +41,8 @@ std::vector<std::uint32_t> partOf(const Samples& samples, const std::vector<std:
   SampleGraph graph;
   graph.build(samples);
   std::vector<std::uint32_t> part;
-  graph.connected(set, start, part);
+  graph.connected(
+      start, [&set](std::uint32_t i) { return std::binary_search(set.begin(), set.end(), i); }, part);
   return part;
 }
 
@@ -123,7 +124,8 @@ TEST(SampleGraph, IsBuiltAnewForOtherSamples) {
   graph.build(samplesAt({}));
   std::vector<std::uint32_t> part = {7};
   graph.build(samplesAt({Vec3(0, 0, 1)}));
-  graph.connected({0}, 0, part);
+  graph.connected(
+      0, [](std::uint32_t i) { return i == 0; }, part);
   EXPECT_EQ(part, range(0, 1));
 }
 

@@ -96,7 +96,10 @@ kernels::NormalEquations plainEquations(const Shape& shape, const Samples& sampl
     const Residual r = residual(shape, samples.point(i));
     const double inverse = samples.inverse_tolerance[i] * scale, share = r.distance * inverse;
     if (!(std::abs(share) < 1.0)) continue;
-    const double weight = std::pow((1.0 - share * share) * inverse, 2);
+    const double root = 1.0 - share * share, weight = std::pow(root * inverse, 2);
+    sums.weight += root * root;
+    // The derivative of share * root^2.
+    sums.curvature += root * (1.0 - 5.0 * share * share);
     Gradient gradient = r.gradient;
     if (const Cone* cone = std::get_if<Cone>(&shape)) {
       const Turn turn(cone->axis);
@@ -141,7 +144,12 @@ TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
           for (int column = 0; column <= row; ++column)
             EXPECT_NEAR(sums.hessian[row][column], truth.hessian[row][column], 1e-4 * largest) << loops->name;
         }
+        const double rounding = 1e-4 * static_cast<double>(count);
+        EXPECT_NEAR(sums.weight, truth.weight, rounding) << loops->name;
+        EXPECT_NEAR(sums.curvature, truth.curvature, 5.0 * rounding) << loops->name;
         if (loops == *kernels::allLoops().begin()) first = sums;
+        EXPECT_EQ(first.weight, sums.weight) << loops->name;
+        EXPECT_EQ(first.curvature, sums.curvature) << loops->name;
         for (int row = 0; row < rows; ++row) {
           EXPECT_EQ(first.right[row], sums.right[row]) << loops->name;
           for (int column = 0; column <= row; ++column)
