@@ -14,6 +14,10 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
+// Where samples are dense, as on what the first round left over, the nearest pairs tell as much as all, in a third of
+// the time: what they vote for is fitted to all samples near it.
+constexpr int kMostBoxes = 16;
+
 Vec3 toEigen(const kernels::Vector& v) { return {v.x, v.y, v.z}; }
 
 kernels::Vector fromEigen(const Vec3& v) {
@@ -28,6 +32,7 @@ kernels::VotingRules votingRules(const Params& params, double scene_diameter) {
   kernels::VotingRules rules;
   rules.max_distance_sq = static_cast<float>(reach * reach);
   rules.epsilon = static_cast<float>(epsilon);
+  rules.most_boxes = params.verify ? kMostBoxes : 0;
   rules.cos_epsilon = static_cast<float>(std::cos(epsilon));
   rules.sin_epsilon_sq = static_cast<float>(std::sin(epsilon) * std::sin(epsilon));
   rules.convex = votes(Side::convex, params);

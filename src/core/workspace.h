@@ -205,6 +205,7 @@ struct Detector::Workspace {
   template <class Place>
   void searchFrom(std::size_t next, const Place& place) {
     std::vector<Candidate> strongest;
+    done("segment");
     for (std::size_t batch = 0; batch < batches(); ++batch) {
       const std::size_t pending = candidates.size();
       if (batch >= next) voteBatch(batch, [&](std::uint32_t voter) { return verification.wants(place(voter)); });

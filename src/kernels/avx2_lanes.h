@@ -15,6 +15,7 @@ using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Ints = int __attribute__((vector_size(4 * kLanes)));
 
 inline Floats load(const float* values) { return (Floats)_mm256_loadu_ps(values); }
+inline Ints loadInts(const int* values) { return (Ints)_mm256_loadu_si256(reinterpret_cast<const __m256i*>(values)); }
 inline void store(Ints lanes, int* values) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(values), (__m256i)lanes); }
 inline void store(Floats lanes, float* values) { _mm256_storeu_ps(values, (__m256)lanes); }
 

@@ -47,7 +47,7 @@ struct Boxes {
 struct Samples {
   const float *x, *y, *z, *nx, *ny, *nz;
   std::size_t count;
-  const Boxes* boxes = nullptr;  ///< null: every pair is looked at; the votes are the same
+  const Boxes* boxes = nullptr;  ///< null: every pair is looked at; the votes are the same unless there are most_boxes
 };
 
 /// C = (|d|^2, n_r.d, n_i.d, n_r.n_i), eq. 2.
@@ -55,10 +55,17 @@ struct PairFeatures {
   float c1, c2, c3, c4;
 };
 
+/// Boxes are counted among so many at a time, and the reach of a reference shrinks at most so often, each time to this
+/// share of its square.
+constexpr int kCountedBoxes = 512;
+constexpr int kMostShrinks = 16;
+constexpr float kShrunkReachSq = 0.75f;
+
 /// Who may vote, and how.
 struct VotingRules {
   float max_distance_sq;  ///< a pair farther apart does not vote (m^2)
   float epsilon;          ///< tolerance of NP, PC, AS and VT (rad)
+  int most_boxes = 0;     ///< boxes that are looked at: with more within reach, the reach shrinks; 0: all
   float cos_epsilon;
   float sin_epsilon_sq;
   bool convex, concave;  ///< which sides of curved surfaces vote: seen from outside, from inside

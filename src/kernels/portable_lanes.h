@@ -21,6 +21,12 @@ inline Floats load(const float* values) {
   return lanes;
 }
 
+inline Ints loadInts(const int* values) {
+  Ints lanes;
+  __builtin_memcpy(&lanes, values, sizeof lanes);
+  return lanes;
+}
+
 inline void store(Ints lanes, int* values) { __builtin_memcpy(values, &lanes, sizeof lanes); }
 inline void store(Floats lanes, float* values) { __builtin_memcpy(values, &lanes, sizeof lanes); }
 

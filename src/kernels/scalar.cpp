@@ -126,6 +126,70 @@ void voteCurved(const Pair& pair, const VotingRules& rules, const Accumulators& 
   voteSphere(pair, symmetry * triangle, rules, layout, bins.sphere);
 }
 
+/// A reference and those that it is paired with.
+struct Poll {
+  const Reference& reference;
+  Reference from_inside;
+  const Samples& samples;
+  const VotingRules& rules;
+  Accumulators& accumulators;
+};
+
+void votePair(const Poll& poll, const OrientedPoint& other) {
+  const VotingRules& rules = poll.rules;
+  const PairFeatures c = pairFeatures(poll.reference.sample, other);
+  if (!(0.0f < c.c1 && c.c1 <= rules.max_distance_sq)) return;
+  const bool convex = rules.convex && isConvex(c);
+  const bool concave = rules.concave && !convex && isConvex(flipped(c));
+  if (normalsParallel(c, rules)) {
+    if (rules.planes && (convex || concave || !rules.convex_planes) && pointsCoplanar(c, rules))
+      votePlane(c, rules, poll.accumulators);
+  } else if (convex) {
+    voteCurved({poll.reference, other, c}, rules, poll.accumulators, poll.accumulators.convex);
+  } else if (concave) {
+    voteCurved({poll.from_inside, flipped(other), flipped(c)}, rules, poll.accumulators, poll.accumulators.concave);
+  }
+}
+
+/// With the samples from `begin` to `end`, or to the last one.
+void votePairs(const Poll& poll, std::size_t begin, std::size_t end) {
+  const Samples& s = poll.samples;
+  for (std::size_t i = begin; i < end && i < s.count; ++i) {
+    votePair(poll, {{s.x[i], s.y[i], s.z[i]}, {s.nx[i], s.ny[i], s.nz[i]}});
+  }
+}
+
+float outside(float low, float high, float v) { return std::fmax(0.0f, std::fmax(low - v, v - high)); }
+
+/// 0 in the box.
+float distanceSq(const Boxes& b, std::size_t box, const Vector& p) {
+  const Vector away = {outside(b.min_x[box], b.max_x[box], p.x), outside(b.min_y[box], b.max_y[box], p.y),
+                       outside(b.min_z[box], b.max_z[box], p.z)};
+  return dot(away, away);
+}
+
+/// Those within reach of a reference, of which there are not too many; of boxes from `begin` to `end`, `near` tells it.
+void findNear(const Poll& poll, std::size_t begin, std::size_t end, bool (&near)[kCountedBoxes]) {
+  float reach_sq = poll.rules.max_distance_sq;
+  for (int shrinks = 0; shrinks <= kMostShrinks; ++shrinks) {
+    int count = 0;
+    for (std::size_t box = begin; box < end; ++box) {
+      near[box - begin] = distanceSq(*poll.samples.boxes, box, poll.reference.sample.point) <= reach_sq;
+      count += near[box - begin] ? 1 : 0;
+    }
+    if (count <= poll.rules.most_boxes) return;
+    reach_sq *= kShrunkReachSq;
+  }
+}
+
+void voteBoxes(const Poll& poll, std::size_t begin, std::size_t end) {
+  bool near[kCountedBoxes];
+  findNear(poll, begin, end, near);
+  for (std::size_t box = begin; box < end; ++box) {
+    if (near[box - begin]) votePairs(poll, box * kBoxSamples, (box + 1) * kBoxSamples);
+  }
+}
+
 }  // namespace
 
 PairFeatures pairFeatures(const OrientedPoint& reference, const OrientedPoint& other) {
@@ -239,22 +303,14 @@ BallSpread spreadOnBall(const AxisBall& ball, const Vector& axis) {
 }
 
 void vote(const Reference& reference, const Samples& samples, const VotingRules& rules, Accumulators& accumulators) {
-  const Reference from_inside = flipped(reference);
-  for (std::size_t i = 0; i < samples.count; ++i) {
-    const OrientedPoint other = {{samples.x[i], samples.y[i], samples.z[i]},
-                                 {samples.nx[i], samples.ny[i], samples.nz[i]}};
-    const PairFeatures c = pairFeatures(reference.sample, other);
-    if (!(0.0f < c.c1 && c.c1 <= rules.max_distance_sq)) continue;
-    const bool convex = rules.convex && isConvex(c);
-    const bool concave = rules.concave && !convex && isConvex(flipped(c));
-    if (normalsParallel(c, rules)) {
-      if (rules.planes && (convex || concave || !rules.convex_planes) && pointsCoplanar(c, rules))
-        votePlane(c, rules, accumulators);
-    } else if (convex) {
-      voteCurved({reference, other, c}, rules, accumulators, accumulators.convex);
-    } else if (concave) {
-      voteCurved({from_inside, flipped(other), flipped(c)}, rules, accumulators, accumulators.concave);
-    }
+  const Poll poll = {reference, flipped(reference), samples, rules, accumulators};
+  if (!samples.boxes || rules.most_boxes == 0) {
+    votePairs(poll, 0, samples.count);
+    return;
+  }
+  const std::size_t boxes = samples.boxes->count;
+  for (std::size_t begin = 0; begin < boxes; begin += kCountedBoxes) {
+    voteBoxes(poll, begin, boxes - begin < kCountedBoxes ? boxes : begin + kCountedBoxes);
   }
 }
 

@@ -98,15 +98,52 @@ PRIMITECT_INLINE void selectBox(const Comparison& reference, const Samples& samp
   for (int i = 0; i < kBoxSamples; i += kLanes) select<kConvex, kConcave>(reference, samples, begin + i, selected);
 }
 
-/// Which of kLanes boxes from the k-th on may hold a sample near enough.
-Ints nearBoxes(const Comparison& r, const Boxes& b, std::size_t k) {
-  // Rounding keeps order, so that no sample is nearer than its box says: boxes and pairs are rounded alike.
-  const auto outside = [](Floats low, Floats high, Floats v) { return larger(Floats{}, larger(low - v, v - high)); };
-  const Floats x = outside(load(b.min_x + k), load(b.max_x + k), r.x);
-  const Floats y = outside(load(b.min_y + k), load(b.max_y + k), r.y);
-  const Floats z = outside(load(b.min_z + k), load(b.max_z + k), r.z);
-  return dot(x, y, z, x, y, z) <= r.max_distance_sq;
-}
+/// Boxes that may hold a sample within reach, and the squares of their distances.
+class NearBoxes {
+ public:
+  /// Those from `begin` to `end`, at most kCountedBoxes.
+  void find(const Comparison& r, const Boxes& b, std::size_t begin, std::size_t end) {
+    count_ = 0;
+    for (std::size_t k = begin; k < end; k += kLanes) {
+      append(laneNumbers() + static_cast<int>(k), distanceSq(r, b, k), r.max_distance_sq);
+    }
+  }
+
+  /// Lets the reach shrink until so many are left.
+  void shrink(Floats reach_sq, int most) {
+    for (int shrinks = 0; shrinks < kMostShrinks && count_ > most; ++shrinks) {
+      reach_sq *= kShrunkReachSq;
+      store(Floats{} + __builtin_inff(), distance_sq_ + count_);
+      const int all = count_;
+      count_ = 0;
+      for (int k = 0; k < all; k += kLanes) append(loadInts(number_ + k), load(distance_sq_ + k), reach_sq);
+    }
+  }
+
+  int count() const { return count_; }
+  std::size_t operator[](int k) const { return static_cast<std::size_t>(number_[k]); }
+
+ private:
+  PRIMITECT_INLINE void append(Ints number, Floats distance_sq, Floats reach_sq) {
+    const Packing packing(distance_sq <= reach_sq);
+    store(packing.packed(number), number_ + count_);
+    store(packing.packed(distance_sq), distance_sq_ + count_);
+    count_ += packing.count();
+  }
+
+  static Floats distanceSq(const Comparison& r, const Boxes& b, std::size_t k) {
+    // Rounding keeps order, so that no sample is nearer than its box says: boxes and pairs are rounded alike.
+    const auto outside = [](Floats low, Floats high, Floats v) { return larger(Floats{}, larger(low - v, v - high)); };
+    const Floats x = outside(load(b.min_x + k), load(b.max_x + k), r.x);
+    const Floats y = outside(load(b.min_y + k), load(b.max_y + k), r.y);
+    const Floats z = outside(load(b.min_z + k), load(b.max_z + k), r.z);
+    return dot(x, y, z, x, y, z);
+  }
+
+  int count_ = 0;
+  int number_[kCountedBoxes + kLanes];
+  float distance_sq_[kCountedBoxes + kLanes];
+};
 
 }  // namespace
 }  // namespace primitect::kernels

@@ -187,20 +187,15 @@ void castVotes(const Ballot& b, SelectedPairs& selected) {
 
 template <bool kConvex, bool kConcave>
 void visitNear(const Ballot& b, const Samples& samples, SelectedPairs& selected) {
-  constexpr std::size_t kBatch = 256;
+  constexpr std::size_t kBatch = kCountedBoxes;
   const Comparison reference(b.reference.sample, b.rules);
   const Boxes& boxes = *samples.boxes;
-  int near[kBatch + kLanes];
+  NearBoxes near;
   for (std::size_t start = 0; start < boxes.count; start += kBatch) {
-    const std::size_t end = start + kBatch < boxes.count ? start + kBatch : boxes.count;
-    int count = 0;
-    for (std::size_t k = start; k < end; k += kLanes) {
-      const Packing packing(nearBoxes(reference, boxes, k));
-      store(packing.packed(laneNumbers() + static_cast<int>(k)), near + count);
-      count += packing.count();
-    }
-    for (int k = 0; k < count; ++k) {
-      selectBox<kConvex, kConcave>(reference, samples, static_cast<std::size_t>(near[k]), selected);
+    near.find(reference, boxes, start, start + kBatch < boxes.count ? start + kBatch : boxes.count);
+    if (b.rules.most_boxes > 0) near.shrink(reference.max_distance_sq, b.rules.most_boxes);
+    for (int k = 0; k < near.count(); ++k) {
+      selectBox<kConvex, kConcave>(reference, samples, near[k], selected);
       if (selected.full()) castVotes(b, selected);
     }
   }

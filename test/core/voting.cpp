@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/pair_voting.h"
 #include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
@@ -167,6 +168,26 @@ TEST(PairVoting, ProposesPlanesOnAPlane) {
   const std::vector<Candidate> candidates = candidatesOf(patchOf(plane, 200, 0.2, random), 2.0);
   EXPECT_GT(shapesOf<Plane>(candidates).size(), 150u);
   EXPECT_EQ(shapesOf<Plane>(candidates).size(), candidates.size());
+}
+
+TEST(PairVoting, TakesTheNearestPairsWhereManyAreWithinReach) {
+  std::vector<SurfacePoint> row;
+  for (int i = 0; i < 1024; ++i) row.push_back(pointOn(Plane{Vec3::UnitZ(), -Vec3::UnitZ()}, 2e-4 * i, 0.0));
+  const Samples samples = test::samplesOf(row);
+  Params params;
+  const auto votesInTheMiddle = [&samples](const Params& params) {
+    PairVoting voting(params);
+    voting.begin(samples, 2.0);
+    std::vector<Candidate> candidates;
+    voting.voteAt(512, candidates);
+    return candidates.size() == 1 ? candidates[0].votes : 0.0;
+  };
+  // 16 boxes of 16 samples at most, and half of them at least: the reach never shrinks to less of itself. Float
+  // rounding of the angles costs a few votes.
+  EXPECT_LE(votesInTheMiddle(params), 256.0);
+  EXPECT_GE(votesInTheMiddle(params), 0.95 * 128.0);
+  params.verify = false;
+  EXPECT_NEAR(votesInTheMiddle(params), 1023.0, 0.05 * 1023.0);
 }
 
 TEST(PairVoting, SkipsSamplesWithoutNormals) {

@@ -3,7 +3,9 @@
 // Every kernel that this machine can run casts the votes of the readable one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/accumulators.h"
@@ -246,6 +248,26 @@ TEST_P(EachKernel, CastsTheSameVotesWithAndWithoutBoxes) {
     const Votes with = votesOf(kernel(), samples, reference, params);
     EXPECT_TRUE(with == votesOf(kernel(), samples, reference, params, false));
   }
+}
+
+/// In layers along x, as samples are in runs along a curve, so that some boxes are nearer than others.
+Samples layers(std::size_t count, Random& random) {
+  const Samples samples = clutter(count, random);
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return samples.x[a] < samples.x[b]; });
+  return samples.part(order);
+}
+
+TEST_P(EachKernel, TakesTheSameBoxesWhereManyAreWithinReach) {
+  Random random(51);
+  // More than are counted at a time, in the last box fewer samples.
+  const Samples samples = layers(9001, random);
+  ASSERT_GT(votingRules(everything("default"), kDiameter).most_boxes, 0);
+  expectSameVotes(samples, everything("default"), 0.0, "nearest boxes");
+  EXPECT_TRUE(voted_);
+  const double nearest = votesOf(kernel(), samples, 4000, everything("default")).mass();
+  EXPECT_LT(nearest, 0.5 * votesOf(kernel(), samples, 4000, everything("default"), false).mass());
 }
 
 TEST_P(EachKernel, CastsTheSameVotesAgainBitForBit) {

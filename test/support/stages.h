@@ -10,13 +10,14 @@
 
 namespace primitect::test {
 
-/// Names of the stages in their order. Votes and what is made of them take turns: each run of turns counts as one.
+/// Names of the stages in their order. Votes and what is made of them, or of new samples before, take turns: each run
+/// of turns counts as one.
 inline std::string stagesOf(Detector& detector, const Cloud& cloud, const Effort& effort = {}) {
   std::string stages;
   detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + " "; });
   detector.detect(cloud, effort);
   detector.onStageDone(nullptr);
-  return std::regex_replace(stages, std::regex("vote (vote |segment )*segment "), "vote segment ");
+  return std::regex_replace(stages, std::regex("(segment )?vote (vote |segment )*segment "), "vote segment ");
 }
 
 }  // namespace primitect::test
