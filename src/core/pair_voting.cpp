@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-// Where samples are dense, as on what the first round left over, the nearest pairs tell as much as all, in a third of
-// the time: what they vote for is fitted to all samples near it.
+// Where samples are dense, as on what the first round left over, the nearest pairs tell nearly as much as all: what
+// they vote for is fitted to all samples near it.
 constexpr int kMostBoxes = 16;
 
 Vec3 toEigen(const kernels::Vector& v) { return {v.x, v.y, v.z}; }
@@ -115,6 +115,7 @@ void PairVoting::begin(const Samples& samples, double scene_diameter) {
   samples_ = &samples;
   references_ = std::min(samples.size(), most_references_);
   rules_ = votingRules(params_, scene_diameter);
+  if (all_pairs_) rules_.most_boxes = 0;
   boxes_.enclose(samples);
   accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
 }

@@ -36,6 +36,9 @@ class PairVoting {
   /// How many references there are at most, instead of the parameter's number.
   void setReferences(std::size_t count) { most_references_ = count; }
 
+  /// Whether a reference votes with all samples within reach, or with verify only with the nearest where they are many.
+  void pairWithAll(bool all) { all_pairs_ = all; }
+
   /// Gets ready for references among these samples, which must stay until the last one has voted. d_s in m.
   void begin(const Samples& samples, double scene_diameter);
 
@@ -64,6 +67,7 @@ class PairVoting {
 
   Params params_;
   std::size_t most_references_;
+  bool all_pairs_ = false;
   const kernels::Kernels& kernels_;
   const Samples* samples_ = nullptr;
   std::size_t references_ = 0;

@@ -127,6 +127,8 @@ struct Detector::Workspace {
     tolerance = {NoiseModel{params.inlier_distance * result.scene_diameter},
                  std::cos(params.inlier_angle_deg * M_PI / 180.0), kJustSo};
     const bool depth_camera = params.inlier_depth_share > 0.0 && seenByDepthCamera(cloud, normal_source);
+    // With noise that is the same everywhere, cones need their distant pairs.
+    voting.pairWithAll(!depth_camera);
     verification.begin({result.scene_diameter, depth_camera});
   }
 

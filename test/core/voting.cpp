@@ -175,8 +175,9 @@ TEST(PairVoting, TakesTheNearestPairsWhereManyAreWithinReach) {
   for (int i = 0; i < 1024; ++i) row.push_back(pointOn(Plane{Vec3::UnitZ(), -Vec3::UnitZ()}, 2e-4 * i, 0.0));
   const Samples samples = test::samplesOf(row);
   Params params;
-  const auto votesInTheMiddle = [&samples](const Params& params) {
+  const auto votesInTheMiddle = [&samples](const Params& params, bool all = false) {
     PairVoting voting(params);
+    voting.pairWithAll(all);
     voting.begin(samples, 2.0);
     std::vector<Candidate> candidates;
     voting.voteAt(512, candidates);
@@ -186,6 +187,7 @@ TEST(PairVoting, TakesTheNearestPairsWhereManyAreWithinReach) {
   // rounding of the angles costs a few votes.
   EXPECT_LE(votesInTheMiddle(params), 256.0);
   EXPECT_GE(votesInTheMiddle(params), 0.95 * 128.0);
+  EXPECT_NEAR(votesInTheMiddle(params, true), 1023.0, 0.05 * 1023.0);
   params.verify = false;
   EXPECT_NEAR(votesInTheMiddle(params), 1023.0, 0.05 * 1023.0);
 }
