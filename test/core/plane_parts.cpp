@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "core/noise.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
