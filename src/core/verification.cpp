@@ -84,15 +84,20 @@ void Verification::conclude() {
   constexpr int kRefusals = 4;
   select();
   refit();
-  if (separate()) select();
-  assess();
+  settle();
   for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
     select();
-    assess();
+    settle();
   }
   // What took the place of the last ones refused may be unlikely, too.
   const auto unlikely = [this](const Segment& segment) { return segment.confidence < params_.min_confidence; };
   segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+}
+
+/// Planes apart, and how likely everything is.
+void Verification::settle() {
+  if (separate()) select();
+  assess();
 }
 
 /// What is nearly the same as something chosen, and worse, has had its chance.
@@ -206,14 +211,16 @@ bool Verification::separate(const Segment& segment) {
   if (static_cast<double>(segment.inliers.size()) > kLargeShare * static_cast<double>(samples_.size())) return false;
   const SampleParts groups = coplanarGroups(samples_, separateParts(segment.inliers, needed(params_), graph_));
   if (groups.size() < 2) return false;
-  const HeldGains nothing(samples_.size(), 0.0f);
   std::vector<std::uint32_t> others;
   for (const std::vector<std::uint32_t>& group : groups) {
-    Hypothesis own = pool_[segment.hypothesis];
-    if (!bestOfKinds(samples_, nothing, group, rules(), own)) continue;
     others.clear();
     std::set_difference(segment.inliers.begin(), segment.inliers.end(), group.begin(), group.end(),
                         std::back_inserter(others));
+    // What belongs to the other groups neither speaks against it nor is its own.
+    HeldGains held(samples_.size(), 0.0f);
+    for (const std::uint32_t i : others) held[i] = 1.0f;
+    Hypothesis own = pool_[segment.hypothesis];
+    if (!bestOfKinds(samples_, held, group, rules(), own)) continue;
     withhold(others, own);
     pool_.push_back(std::move(own));
   }

@@ -68,6 +68,7 @@ class Verification {
   void refit(const Segment& segment, const HeldGains& held);
   void join(const Hypothesis& version, std::uint32_t origin);
   void split(const Segment& segment, const HeldGains& held);
+  void settle();
   bool separate();
   bool separate(const Segment& segment);
   void assess();

@@ -219,6 +219,29 @@ TEST(Verification, FitsThePartsOfAPlaneApartOnceSamplesTellThatThereIsAGap) {
   }
 }
 
+TEST(Verification, KeepsTopsOfNearlyOneHeightApartInDepthFrames) {
+  // A plane through both is tilted by a 27th: nowhere farther off than 2 mm, where 6 mm make an inlier.
+  constexpr double kStep = 0.006;
+  Random random(97);
+  std::vector<SurfacePoint> tops = noisy(together(plate(Vec3(-0.08, 0, 1.0), 0.05, 0.05, 150, random),
+                                                  plate(Vec3(0.08, 0, 1.0 + kStep), 0.05, 0.05, 150, random)),
+                                         random);
+  // What is a tenth of all that is seen may be what things stand on, and stays whole.
+  tops = together(tops, noisy(plate(Vec3(0, 0, 1.3), 0.4, 0.4, 3000, random), random));
+  Verification verification{Params()};
+  verification.begin({kDiameter, true});
+  const Plane both = {Vec3(0, 0, 1.0 + 0.5 * kStep), Vec3(kStep / 0.16, 0, -1).normalized()};
+  addRound(verification, test::samplesOf(tops), {test::candidate(both, tops[0], 9.0)});
+  ASSERT_EQ(verification.segments().size(), 1u);
+  verification.conclude();
+  ASSERT_EQ(verification.segments().size(), 2u);
+  for (const Segment& segment : verification.segments()) {
+    EXPECT_GE(segment.inliers.size(), 148u);
+    const bool left = segment.inliers[0] < 150;
+    EXPECT_NEAR(distance(segment.candidate.shape, Vec3(left ? -0.08 : 0.08, 0, left ? 1.0 : 1.0 + kStep)), 0.0, kNoise);
+  }
+}
+
 TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   Random random(97);
   const test::TwoFaces box;
