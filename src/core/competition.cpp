@@ -24,11 +24,11 @@ bool enabled(Kind kind, const Params& params) {
   return switches[static_cast<std::size_t>(kind)];
 }
 
-/// So small that the edge of a table, rounded by a depth camera, looks the same.
+/// A tube so thin that the edge of a table, rounded by a depth camera, looks the same.
 bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
   constexpr double kLeastRadius = 8.0;  // standard deviations of the noise
-  const double radius = radiusOf(shape);
-  return noise.depth_share > 0.0 && radius > 0.0 && radius < kLeastRadius * sigma;
+  const Cylinder* tube = std::get_if<Cylinder>(&shape);
+  return noise.depth_share > 0.0 && tube && tube->radius < kLeastRadius * sigma;
 }
 
 /// Where a fit begins.

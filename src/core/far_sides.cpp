@@ -35,11 +35,13 @@ void forFarSide(const Cloud& cloud, const kernels::FlatShape& shape, bool concav
 
 std::vector<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
                                std::vector<std::uint32_t>& labels) {
+  std::vector<kernels::FlatShape> shapes;
+  for (const Detection& detection : detections) shapes.push_back(flattened(detection.shape, Vec3::Zero()));
   std::vector<bool> found(detections.size(), false);
   forLabelRuns(labels, [&](const LabelRun& run) {
     const std::size_t k = run.label - 1;
     if (kindOf(detections[k].shape) == Kind::plane) return;
-    forFarSide(cloud, flattened(detections[k].shape, Vec3::Zero()), detections[k].concave, run, [&](std::size_t i) {
+    forFarSide(cloud, shapes[k], detections[k].concave, run, [&](std::size_t i) {
       labels[i] |= kFarSide;
       found[k] = true;
     });

@@ -40,7 +40,7 @@ Shape Measurement::fitted(const Shape& shape) {
   const Shape last = limits_.hold(unbiased) ? unbiased : fit;
   // A few clear points may not hold a shape where all of its points are.
   constexpr double kWorse = 1.5;
-  return rmsDistance(last, points_) <= kWorse * rmsDistance(shape, points_) ? last : shape;
+  return rmsDistance(last, points_) <= kWorse * rmsDistance(start, points_) ? last : start;
 }
 
 Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled,

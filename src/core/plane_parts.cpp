@@ -80,37 +80,80 @@ double disagreement(const Group& a, const Group& b, const Group& both) {
   return more / std::max(kSure, kWavesOfDepth * static_cast<double>(both.samples.size()));
 }
 
-/// Joins the two that are most at one; false when no two are.
-bool joinNearest(const Samples& samples, std::vector<Group>& groups) {
-  double least = 1.0;
-  std::size_t first = 0, second = 0;
+/// Two groups as one, and how little that one plane fits both.
+struct Pair {
   Group joined;
-  for (std::size_t b = 1; b < groups.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) {
-      Group both = together(samples, groups[a], groups[b]);
-      const double apart = disagreement(groups[a], groups[b], both);
-      if (!(apart < least)) continue;
-      least = apart;
-      first = a;
-      second = b;
-      joined = std::move(both);
-    }
-  }
-  if (first == second) return false;
-  groups[first] = std::move(joined);
-  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(second));
-  return true;
+  double apart;
+};
+
+Pair pairOf(const Samples& samples, const Group& a, const Group& b) {
+  Pair pair;
+  pair.joined = together(samples, a, b);
+  pair.apart = disagreement(a, b, pair.joined);
+  return pair;
 }
+
+/// Groups that become fewer while one plane fits two of them.
+class Grouping {
+ public:
+  Grouping(const Samples& samples, const SampleParts& parts) : samples_(samples) {
+    for (const std::vector<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
+  }
+
+  /// Joins the two that are most at one; false when no two are.
+  bool join() {
+    double least = 1.0;
+    std::size_t first = 0, second = 0;
+    for (std::size_t b = 1; b < groups_.size(); ++b) {
+      for (std::size_t a = 0; a < b; ++a) {
+        if (!(pairs_[b][a].apart < least)) continue;
+        least = pairs_[b][a].apart;
+        first = a;
+        second = b;
+      }
+    }
+    if (first == second) return false;
+    Group joined = std::move(pairs_[second][first].joined);
+    leave(second);
+    leave(first);
+    add(std::move(joined));
+    return true;
+  }
+
+  /// In the order of their first samples.
+  SampleParts groups() const {
+    SampleParts result;
+    for (const Group& group : groups_) result.push_back(group.samples);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  void add(Group group) {
+    std::vector<Pair> with_others;
+    for (const Group& other : groups_) with_others.push_back(pairOf(samples_, other, group));
+    pairs_.push_back(std::move(with_others));
+    groups_.push_back(std::move(group));
+  }
+
+  void leave(std::size_t k) {
+    const auto at = static_cast<std::ptrdiff_t>(k);
+    groups_.erase(groups_.begin() + at);
+    pairs_.erase(pairs_.begin() + at);
+    for (std::size_t b = k; b < pairs_.size(); ++b) pairs_[b].erase(pairs_[b].begin() + at);
+  }
+
+  const Samples& samples_;
+  std::vector<Group> groups_;
+  std::vector<std::vector<Pair>> pairs_;  ///< of each group with those before it
+};
 
 }  // namespace
 
 SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts) {
-  std::vector<Group> groups;
-  for (const std::vector<std::uint32_t>& part : parts) groups.push_back({part, misfitOf(samples, part)});
-  while (joinNearest(samples, groups)) continue;
-  SampleParts result;
-  for (Group& group : groups) result.push_back(std::move(group.samples));
-  return result;
+  Grouping grouping(samples, parts);
+  while (grouping.join()) continue;
+  return grouping.groups();
 }
 
 SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {

@@ -12,6 +12,9 @@
 
 namespace primitect {
 
+/// Share of all samples from which on a plane is taken for what things stand on.
+constexpr double kLargePlane = 0.1;
+
 using SampleParts = std::vector<std::vector<std::uint32_t>>;
 
 /// Parts of at least `least` samples (rising indices) that do not touch; nothing when all touch.

@@ -66,9 +66,8 @@ enum class Outcome { nothing, known, grown };
 
 /// One of the pool is like the hypothesis, and explains about as much.
 bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) {
-  constexpr double kBetter = 1.003;
   return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
-    return hypothesis.gain_sum < kBetter * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
+    return hypothesis.gain_sum < kMore * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
   });
 }
 

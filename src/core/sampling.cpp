@@ -82,6 +82,7 @@ void Sampler::choose(std::size_t count, std::uint64_t seed) {
     left_[run] &= ~(std::uint64_t{1} << place);
     chosen_[k] = static_cast<std::uint32_t>(runs_->number[run] * kRun + place);
   }
+  free_ = left_;
 }
 
 void Sampler::draw(std::size_t count, std::uint64_t seed, Samples& samples) {

@@ -18,6 +18,9 @@ struct Selection {
   std::vector<std::uint32_t> owner;   ///< of each sample: index in the pool, or kNobody
 };
 
+/// What explains less than this times as much explains no more.
+constexpr double kMore = 1.003;
+
 /// Of the same kind, and nearly the same samples explained.
 bool alike(const Hypothesis& a, const Hypothesis& b);
 

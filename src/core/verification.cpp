@@ -96,7 +96,8 @@ void Verification::conclude() {
 
 /// Planes apart, and how likely everything is.
 void Verification::settle() {
-  if (separate()) select();
+  constexpr int kTimes = 3;  // what takes the place of one plane may be another of that sort
+  for (int time = 0; time < kTimes && separate(); ++time) select();
   assess();
 }
 
@@ -148,9 +149,8 @@ HeldGains Verification::heldByChosen() const {
 
 /// A new version joins the others, unless it is like the one that it came from and explains no more.
 void Verification::join(const Hypothesis& version, std::uint32_t origin) {
-  constexpr double kBetter = 1.003;
   const Hypothesis& old = pool_[origin];
-  if (version.gain_sum < kBetter * old.gain_sum && alike(version, old)) return;
+  if (version.gain_sum < kMore * old.gain_sum && alike(version, old)) return;
   pool_.push_back(version);
 }
 
@@ -198,33 +198,36 @@ void Verification::refit() {
 
 /// Tops of things of nearly the same height that a plane leads over become planes of their own.
 bool Verification::separate() {
+  const HeldGains held = heldByChosen();
   bool any = false;
   for (const Segment& segment : segments_) {
-    if (kindOf(segment.candidate.shape) == Kind::plane && separate(segment)) any = true;
+    if (kindOf(segment.candidate.shape) == Kind::plane && separate(segment, held)) any = true;
   }
   return any;
 }
 
-bool Verification::separate(const Segment& segment) {
-  // A large plane in parts is one that things stand on, and its parts are the same.
-  constexpr double kLargeShare = 0.1;
-  if (static_cast<double>(segment.inliers.size()) > kLargeShare * static_cast<double>(samples_.size())) return false;
+bool Verification::separate(const Segment& segment, const HeldGains& held) {
+  // In parts, what things stand on is one plane all the same.
+  if (static_cast<double>(segment.inliers.size()) > kLargePlane * static_cast<double>(samples_.size())) return false;
   const SampleParts groups = coplanarGroups(samples_, separateParts(segment.inliers, needed(params_), graph_));
   if (groups.size() < 2) return false;
-  std::vector<std::uint32_t> others;
+  std::vector<Hypothesis> apart;
   for (const std::vector<std::uint32_t>& group : groups) {
-    others.clear();
-    std::set_difference(segment.inliers.begin(), segment.inliers.end(), group.begin(), group.end(),
-                        std::back_inserter(others));
+    std::vector<std::uint32_t> others;
+    for (const std::vector<std::uint32_t>& other : groups) {
+      if (&other != &group) others.insert(others.end(), other.begin(), other.end());
+    }
+    std::sort(others.begin(), others.end());
     // What belongs to the other groups neither speaks against it nor is its own.
-    HeldGains held(samples_.size(), 0.0f);
-    for (const std::uint32_t i : others) held[i] = 1.0f;
-    Hypothesis own = pool_[segment.hypothesis];
-    if (!bestOfKinds(samples_, held, group, rules(), own)) continue;
-    withhold(others, own);
-    pool_.push_back(std::move(own));
+    HeldGains held_by_others = held;
+    for (const std::uint32_t i : segment.inliers) held_by_others[i] = 0.0f;
+    for (const std::uint32_t i : others) held_by_others[i] = 1.0f;
+    apart.push_back(pool_[segment.hypothesis]);
+    if (!bestOfKinds(samples_, held_by_others, group, rules(), apart.back())) return false;
+    withhold(others, apart.back());
   }
   pool_[segment.hypothesis].support.clear();
+  std::move(apart.begin(), apart.end(), std::back_inserter(pool_));
   return true;
 }
 

@@ -51,7 +51,8 @@ class Verification {
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   std::vector<std::uint32_t> unexplained();
 
-  /// Selects anew, and then refuses what is not likely enough; its samples may serve others.
+  /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
+  /// likely enough; its samples may serve others.
   void conclude();
 
   const NoiseModel& noise() const { return noise_; }
@@ -70,7 +71,7 @@ class Verification {
   void split(const Segment& segment, const HeldGains& held);
   void settle();
   bool separate();
-  bool separate(const Segment& segment);
+  bool separate(const Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();
   HeldGains heldByChosen() const;

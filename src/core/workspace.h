@@ -19,7 +19,9 @@
 #include "core/neighbors.h"
 #include "core/normals.h"
 #include "core/pair_voting.h"
+#include "core/plane_parts.h"
 #include "core/sampling.h"
+#include "core/search.h"
 #include "core/segmentation.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
@@ -51,14 +53,16 @@ inline Detection describe(const Segment& segment, const Samples& samples) {
 }
 
 inline bool isLargePlane(const Detection& item, std::size_t samples) {
-  constexpr double kLargeShare = 0.1;
-  return kindOf(item.shape) == Kind::plane && item.inlier_count > kLargeShare * static_cast<double>(samples);
+  return kindOf(item.shape) == Kind::plane && item.inlier_count > kLargePlane * static_cast<double>(samples);
 }
 
 /// What a detector keeps between frames so that it need not be allocated anew.
 struct Detector::Workspace {
   explicit Workspace(const Params& checked_params)
-      : params(checked_params), voting(checked_params), verification(checked_params) {}
+      : params(checked_params),
+        voting(checked_params),
+        verification(checked_params),
+        search(voting, verification, [this](const char* stage) { done(stage); }) {}
 
   void done(const char* stage) const {
     if (stage_done) stage_done(stage);
@@ -166,62 +170,8 @@ struct Detector::Workspace {
   }
 
   void measureNoise(const Cloud& cloud) {
-    measureNoiseByVotes();
-    if (improveNormals(cloud)) measureNoiseByVotes();
-  }
-
-  /// From what the first batch votes for.
-  void measureNoiseByVotes() {
-    voting.begin(samples, result.scene_diameter);
-    candidates.clear();
-    voteBatch(0, [](std::uint32_t) { return true; });
-    done("vote");
-    sortByVotes(candidates);
-    verification.measureNoise(samples, candidates);
-  }
-
-  std::size_t batches() const {
-    constexpr std::size_t kBatch = 256;  // references
-    return (voting.references() + kBatch - 1) / kBatch;
-  }
-
-  /// The wanted references of a batch, which are spread over all voters, vote.
-  template <class Wanted>
-  void voteBatch(std::size_t batch, const Wanted& wanted) {
-    for (std::size_t k = batch; k < voting.references(); k += batches()) {
-      const std::uint32_t reference = voting.reference(k);
-      if (wanted(reference)) voting.voteAt(reference, candidates);
-    }
-  }
-
-  /// Votes and proposals take turns: references that are explained by now need not vote. place:
-  /// index of a voter among all samples.
-  template <class Place>
-  void search(const Samples& voters, const Place& place) {
-    voting.begin(voters, result.scene_diameter);
-    candidates.clear();
-    searchFrom(0, place);
-  }
-
-  /// The candidates hold what batches before this one voted for.
-  template <class Place>
-  void searchFrom(std::size_t next, const Place& place) {
-    std::vector<Candidate> strongest;
-    done("segment");
-    for (std::size_t batch = 0; batch < batches(); ++batch) {
-      const std::size_t pending = candidates.size();
-      if (batch >= next) voteBatch(batch, [&](std::uint32_t voter) { return verification.wants(place(voter)); });
-      done("vote");
-      for (std::size_t k = pending; k < candidates.size(); ++k) candidates[k].sample = place(candidates[k].sample);
-      sortByVotes(candidates);
-      // Weak ones wait: a later batch may know better.
-      const bool last = batch + 1 == batches();
-      const auto taken = candidates.begin() + (last ? candidates.size() : candidates.size() / 2);
-      strongest.assign(candidates.begin(), taken);
-      candidates.erase(candidates.begin(), taken);
-      verification.propose(strongest);
-      done("segment");
-    }
+    search.measureNoise(samples, result.scene_diameter);
+    if (improveNormals(cloud)) search.measureNoise(samples, result.scene_diameter);
   }
 
   void segmentVerified(const Cloud& cloud, int round) {
@@ -229,8 +179,7 @@ struct Detector::Workspace {
     const auto first = static_cast<std::uint32_t>(verification.samples().size());
     verification.addSamples(samples);
     const auto place = [first](std::uint32_t voter) { return first + voter; };
-    // The noise was measured by the votes of the first batch.
-    round == 0 ? searchFrom(1, place) : search(samples, place);
+    round == 0 ? search.goOn(place) : search.run(samples, result.scene_diameter, place);
     verification.select();
     useVerified();
   }
@@ -267,7 +216,7 @@ struct Detector::Workspace {
     const std::vector<std::uint32_t> rest = verification.unexplained();
     const Samples voters = verification.samples().part(rest);
     if (voters.size() < kFewestPoints) return;
-    search(voters, [&rest](std::uint32_t voter) { return rest[voter]; });
+    search.run(voters, result.scene_diameter, [&rest](std::uint32_t voter) { return rest[voter]; });
   }
 
   /// The final numbers come from the points of the cloud.
@@ -283,8 +232,7 @@ struct Detector::Workspace {
     pointsOfLabels(labels, result.items.size(), most, points);
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
-    Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(),
-                                  verification.limits());
+    Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
     std::vector<Detection> measured;
     const std::size_t fewest = fewestPoints();
     for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -318,12 +266,13 @@ struct Detector::Workspace {
   bool out_of_time = false;        ///< in this frame
   PairVoting voting;
   Verification verification;
+  Search search;
   Sampler sampler;
-  Samples samples;      ///< of this round
-  Samples all_samples;  ///< of all rounds of this frame, by votes alone
-  Tolerance tolerance;  ///< of what belongs to a shape
-  std::vector<Candidate> candidates;
-  std::vector<Segment> segments;  ///< by votes alone
+  Samples samples;                    ///< of this round
+  Samples all_samples;                ///< of all rounds of this frame, by votes alone
+  Tolerance tolerance;                ///< of what belongs to a shape
+  std::vector<Candidate> candidates;  ///< by votes alone
+  std::vector<Segment> segments;      ///< by votes alone
   Labeling labeling;
   std::vector<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
   std::vector<std::uint32_t> labels;

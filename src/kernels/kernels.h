@@ -65,7 +65,7 @@ constexpr float kShrunkReachSq = 0.75f;
 struct VotingRules {
   float max_distance_sq;  ///< a pair farther apart does not vote (m^2)
   float epsilon;          ///< tolerance of NP, PC, AS and VT (rad)
-  int most_boxes = 0;     ///< boxes that are looked at: with more within reach, the reach shrinks; 0: all
+  int most_boxes = 0;  ///< boxes that are looked at, of each kCountedBoxes: with more within reach, it shrinks; 0: all
   float cos_epsilon;
   float sin_epsilon_sq;
   bool convex, concave;  ///< which sides of curved surfaces vote: seen from outside, from inside
