@@ -198,6 +198,23 @@ TEST(Detector, FindsASmallBallAmongAMillionPoints) {
   EXPECT_TRUE(only<Plane>(result));
 }
 
+TEST(Detector, RefusesAHandfulOfPointsInALargeCloud) {
+  // The later rounds draw every point that the table does not explain, so that the balls have as many samples as
+  // points. At 4096 samples of 200,000 points, 25 of them stand for 1200; a twentieth is 61.
+  Random random(46);
+  const std::vector<SurfacePoint> table = patchOf(kTable, 200000, 0.5, random);
+  const auto spheresWith = [&](int count) {
+    std::vector<SurfacePoint> points = table;
+    for (const SurfacePoint& p : patchOf(kBall, count, random)) points.push_back(p);
+    Detector detector{Params()};
+    const Detections& result = detector.detect(test::cloudOf(points));
+    EXPECT_TRUE(only<Plane>(result));
+    return only<Sphere>(result) != nullptr;
+  };
+  EXPECT_FALSE(spheresWith(50));
+  EXPECT_TRUE(spheresWith(90));
+}
+
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
   // A ball of 60 points on a table of 20000: too few samples in one round, when there is no closer look.
   Random random(44);
