@@ -90,20 +90,22 @@ std::vector<std::uint32_t> range(std::uint32_t begin, std::uint32_t end) {
   return indices;
 }
 
+/// Of two tops of 120 samples each.
+SampleParts groupsOfTops(double step, std::uint64_t seed) {
+  Random random(seed);
+  return coplanarGroups(withNoise(0.002, twoTops(120, step, random)), {range(0, 120), range(120, 240)});
+}
+
 TEST(CoplanarGroups, AreTwoTopsThatATiltedPlaneWouldLeadOver) {
   // The tilted plane is at most 2.6 mm off, 1.3 times the noise, where three times the noise make an inlier.
-  Random random(76);
-  const Samples samples = withNoise(0.002, twoTops(120, 0.006, random));
-  const SampleParts groups = coplanarGroups(samples, {range(0, 120), range(120, 240)});
+  const SampleParts groups = groupsOfTops(0.006, 76);
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0], range(0, 120));
   EXPECT_EQ(groups[1], range(120, 240));
 }
 
 TEST(CoplanarGroups, AreOneWhereTheStepIsNoMoreThanTheWavesOfADepthCamera) {
-  Random random(77);
-  const Samples samples = withNoise(0.002, twoTops(120, 0.001, random));
-  const SampleParts groups = coplanarGroups(samples, {range(0, 120), range(120, 240)});
+  const SampleParts groups = groupsOfTops(0.001, 77);
   ASSERT_EQ(groups.size(), 1u);
   EXPECT_EQ(groups[0], range(0, 240));
 }
