@@ -4,6 +4,7 @@
 #include "core/competition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/curvature.h"
@@ -60,6 +61,13 @@ std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& poin
   return starts;
 }
 
+/// How far the farthest of the set is from there (m).
+double reachOf(const Samples& samples, const std::vector<std::uint32_t>& set, const Vec3& middle) {
+  double farthest_sq = 0.0;
+  for (const std::uint32_t i : set) farthest_sq = std::max(farthest_sq, (samples.point(i) - middle).squaredNorm());
+  return std::sqrt(farthest_sq);
+}
+
 /// Calls use(trial) with the fit from each start that ends within the limits, and its score; counts those that do not.
 template <class Use>
 int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
@@ -72,6 +80,8 @@ int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std:
   const RefineRules refine_rules = {rules.widen, 2, 10, kSmallStep / kInlierDeviations};
   int refused = 0;
   Hypothesis trial;
+  trial.middle = points.middle();
+  trial.reach = reachOf(samples, set, trial.middle);
   for (const Start& start : startsFor(hypothesis, points, rules)) {
     const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
     if (!shape) continue;
@@ -101,6 +111,8 @@ bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vecto
     best = trial.score;
     hypothesis.shape = trial.shape;
     hypothesis.concave = trial.concave;
+    hypothesis.middle = trial.middle;
+    hypothesis.reach = trial.reach;
   });
   if (refusals) (*refusals)[Refusal::limits] += refused;
   if (best > 0.0) evaluate(samples, held, 1.0, hypothesis);
@@ -114,6 +126,8 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector
   Hypothesis own;
   own.shape = hypothesis.shape;
   own.concave = hypothesis.concave;
+  own.middle = hypothesis.middle;
+  own.reach = hypothesis.reach;
   score(samples, held, 1.0, own);
   double best = 0.0;
   fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {

@@ -164,17 +164,18 @@ class Cells {
     }
   }
 
-  /// Leaves the cells that touch each other and hold most points.
-  void keepLargestPart() {
+  /// Leaves the parts, of cells that touch each other, which hold at least this share of what the largest part holds.
+  void keepParts(double share) {
     std::vector<int> part(counts_.size(), 0), open;
-    int parts = 0, largest = 0;
-    int most = 0;
+    std::vector<int> held(1, 0);  // by each part, from 1 on
     for (std::size_t first = 0; first < counts_.size(); ++first) {
       if (counts_[first] == 0 || part[first] != 0) continue;
-      const int held = fill(static_cast<int>(first), ++parts, part, open);
-      if (held > most) most = held, largest = parts;
+      held.push_back(fill(static_cast<int>(first), static_cast<int>(held.size()), part, open));
     }
-    for (std::size_t k = 0; k < counts_.size(); ++k) counts_[k] = part[k] == largest ? counts_[k] : 0;
+    const double least = share * *std::max_element(held.begin(), held.end());
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      if (held[static_cast<std::size_t>(part[k])] < least) counts_[k] = 0;
+    }
   }
 
   /// Points that may be corners of the hull of all that are left. None of a cell whose four diagonal neighbours hold
@@ -219,8 +220,8 @@ class Cells {
   std::vector<int> cell_of_;  ///< of each point
 };
 
-/// Points of other objects that happen to lie in the plane do not stretch the outline: cells of three mean spacings
-/// that touch belong together, and the part counts that holds most points.
+/// The outline is around all large parts: something in front may hide what lies between them. A few points of other
+/// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
 Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
@@ -228,7 +229,8 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
   extent.rotation = frameAround(plane.normal, longestDirection(some, mean, plane.normal));
   const FlatPoints flat(inliers, extent.rotation);
   Cells cells(flat);
-  cells.keepLargestPart();
+  constexpr double kLeastPart = 0.2;
+  cells.keepParts(kLeastPart);
   const std::vector<Vec2> border = cells.border(flat);
   Vec2 low = border.front(), high = border.front();
   for (const Vec2& point : border) {

@@ -51,7 +51,11 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
   hypothesis.inliers = 0;
   hypothesis.gain_sum = 0.0;
   double counted = 0.0;
+  const Eigen::Vector3f middle = hypothesis.middle.cast<float>();
+  const auto reach = static_cast<float>(hypothesis.reach);
   const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const BlockGains& gains) {
+    // Something else that only happens to lie in its continuation.
+    if (sums.counted < 0.0 && !samples.blocks.reaches(block, middle, reach)) return;
     hypothesis.inliers += sums.inliers;
     hypothesis.gain_sum += sums.positive;
     counted += sums.counted;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/noise.h"
@@ -20,9 +21,13 @@ struct Support {
 };
 
 struct Hypothesis {
+  static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
   Shape shape;
   bool concave = false;
   double votes = 0.0;                 ///< of the candidate that proposed it
+  Vec3 middle = Vec3::Zero();         ///< of the samples that it was fitted to
+  double reach = kAnywhere;           ///< m, how far from there these are
   std::vector<Support> support;       ///< in the order of the samples
   double score = 0.0;                 ///< sum of the gains less the price of the shape's parameters
   double gain_sum = 0.0;              ///< of the gains above 0
@@ -39,8 +44,8 @@ using HeldGains = std::vector<float>;
 /// A sample with this gain needs no better explanation.
 using kernels::kWellExplained;
 
-/// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it. widen:
-/// times the noise, for a shape that is not fitted yet.
+/// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it, nor do
+/// those beyond its reach: the shape ends before. widen: times the noise, for a shape that is not fitted yet.
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 
 /// Fills support and blocks, too.

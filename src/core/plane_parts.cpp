@@ -46,23 +46,32 @@ std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
   return best;
 }
 
-/// Sum of the squared distances to the best plane, in standard deviations of their noise.
+/// Samples, and how badly the best plane fits them: the sum of what they are off in distance and normal, in standard
+/// deviations, squared.
+struct Group {
+  std::vector<std::uint32_t> samples;
+  double misfit;
+};
+
+/// Of one sample. A plane that leads from one top to another hardly shows in the distances: it lies askew to both.
+double misfitAt(const Plane& plane, const Samples& samples, std::uint32_t i) {
+  constexpr double kMost = 9.0;  // at edges normals are worse than elsewhere
+  const double away = distance(plane, samples.point(i)) / samples.sigma[i];
+  if (!(samples.normal_sigma[i] > 0.0f)) return away * away;
+  const double turn_sq = (plane.normal.cross(samples.normal(i)) / samples.normal_sigma[i]).squaredNorm();
+  return away * away + std::min(turn_sq, kMost);
+}
+
 double misfitOf(const Samples& samples, const std::vector<std::uint32_t>& part) {
   FitPoints points;
   points.gather({samples, part});
   const std::optional<Shape> start = fitFromMoments(Kind::plane, momentsOf(points));
   if (!start) return 0.0;
-  const Shape plane = refine(*start, points).value_or(*start);
+  const Plane plane = std::get<Plane>(refine(*start, points).value_or(*start));
   double sum = 0.0;
-  for (const std::uint32_t i : part) sum += std::pow(distance(plane, samples.point(i)) / samples.sigma[i], 2);
+  for (const std::uint32_t i : part) sum += misfitAt(plane, samples, i);
   return sum;
 }
-
-/// Samples and how badly a plane fits them.
-struct Group {
-  std::vector<std::uint32_t> samples;
-  double misfit;
-};
 
 Group together(const Samples& samples, const Group& a, const Group& b) {
   Group both;
@@ -71,13 +80,19 @@ Group together(const Samples& samples, const Group& a, const Group& b) {
   return both;
 }
 
+/// What the waves of a depth camera add to the squares of a sample: shares of the variances of distance and normal.
+double wavesAt(const Samples& samples, std::uint32_t i) {
+  constexpr double kOfDistance = 0.15, kOfNormal = 0.45;
+  return kOfDistance + (samples.normal_sigma[i] > 0.0f ? kOfNormal : 0.0);
+}
+
 /// How much worse one plane fits both than one for each does, as a share of what noise and the waves of a depth
 /// camera explain; below 1: it is the same plane.
-double disagreement(const Group& a, const Group& b, const Group& both) {
-  constexpr double kSure = 15.0;          // what chance alone hardly reaches
-  constexpr double kWavesOfDepth = 0.15;  // of the variance of the noise
-  const double more = both.misfit - a.misfit - b.misfit;
-  return more / std::max(kSure, kWavesOfDepth * static_cast<double>(both.samples.size()));
+double disagreement(const Samples& samples, const Group& a, const Group& b, const Group& both) {
+  constexpr double kSure = 15.0;  // what chance alone hardly reaches
+  double waves = 0.0;
+  for (const std::uint32_t i : both.samples) waves += wavesAt(samples, i);
+  return (both.misfit - a.misfit - b.misfit) / std::max(kSure, waves);
 }
 
 /// Two groups as one, and how little that one plane fits both.
@@ -89,7 +104,7 @@ struct Pair {
 Pair pairOf(const Samples& samples, const Group& a, const Group& b) {
   Pair pair;
   pair.joined = together(samples, a, b);
-  pair.apart = disagreement(a, b, pair.joined);
+  pair.apart = disagreement(samples, a, b, pair.joined);
   return pair;
 }
 

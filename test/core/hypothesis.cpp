@@ -183,6 +183,21 @@ TEST(Score, DoesNotCountSamplesThatOthersHoldWellAgainstAShape) {
   EXPECT_GT(hypothesis.score, alone + 20.0);
 }
 
+TEST(Score, DoesNotCountSamplesBeyondTheReachOfAShapeAgainstIt) {
+  // A block of samples on the plane, then a block 1 m away within the plane, 1.5 tolerances above it.
+  std::vector<SurfacePoint> points;
+  for (int k = 0; k < 64; ++k) points.push_back(pointOn(kPlane, 0.001 * k, 0.0));
+  for (int k = 0; k < 64; ++k) points.push_back(strayed(pointOn(kPlane, 1.0 + 0.001 * k, 0.0), 1.5 * kTolerance, 0.0));
+  const Samples samples = samplesWith(kNoiseModel, points);
+  Hypothesis hypothesis = hypothesisOf(kPlane, samples);
+  EXPECT_LT(hypothesis.score, 0.0);
+  hypothesis.middle = points[32].point;
+  hypothesis.reach = 0.05;
+  evaluate(samples, HeldGains(samples.size(), 0.0f), 1.0, hypothesis);
+  EXPECT_NEAR(hypothesis.score, 64.0 - priceOf(Kind::plane, 64.0), 64.0 * kRounding);
+  EXPECT_EQ(hypothesis.support.size(), 64u);
+}
+
 TEST(Price, GrowsWithTheParametersOfTheKindAndWithTheInliers) {
   for (const double inliers : {0.0, 25.0, 1000.0}) {
     EXPECT_GE(priceOf(Kind::plane, inliers), 0.0);
