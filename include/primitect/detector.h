@@ -3,6 +3,7 @@
 // The detector: a cloud in, primitives out.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,9 +15,10 @@
 
 namespace primitect {
 
-/// The samples of the last frame with their normals, structure of arrays, m.
+/// The samples of the last frame with their normals, structure of arrays, m; until the next frame.
 struct SampleView {
-  const std::vector<float>&x, &y, &z, &nx, &ny, &nz;
+  const float *x, *y, *z, *nx, *ny, *nz;
+  std::size_t count;
 };
 
 /// How much work a frame may be. The default is all of it: the result then depends on cloud and parameters alone.

@@ -8,7 +8,7 @@
 
 namespace primitect {
 
-void sortByVotes(std::vector<Candidate>& candidates) {
+void sortByVotes(List<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
 }
@@ -81,9 +81,9 @@ struct Cluster {
   }
 };
 
-void clusterOnce(std::vector<Candidate>& candidates, double distance, double angle, bool average) {
+void clusterOnce(List<Candidate>& candidates, double distance, double angle, bool average) {
   sortByVotes(candidates);
-  std::vector<Cluster> clusters;
+  List<Cluster> clusters;
   for (const Candidate& candidate : candidates) {
     const auto home = std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& cluster) {
       return agrees(candidate, cluster.strongest, distance, angle);
@@ -107,7 +107,7 @@ bool agrees(const Candidate& candidate, const Candidate& other, double max_dista
   return candidate.normal.dot(seenNormalAt(other.shape, other.concave, candidate.point)) > std::cos(max_angle);
 }
 
-void clusterCandidates(std::vector<Candidate>& candidates, const Params& params, double scene_diameter) {
+void clusterCandidates(List<Candidate>& candidates, const Params& params, double scene_diameter) {
   const double distance = params.cluster_distance * scene_diameter;
   const double angle = params.cluster_angle_deg * M_PI / 180.0;
   const bool average = params.clustering == "average";

@@ -44,7 +44,7 @@ Shape Measurement::fitted(const Shape& shape) {
 }
 
 Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled,
-                          const std::vector<std::uint32_t>& clear) {
+                          const List<std::uint32_t>& clear) {
   points_.gather(cloud_, labelled.index);
   clear_.gather(cloud_, clear);
   Detection measured = detection;

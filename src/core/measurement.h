@@ -6,6 +6,7 @@
 #include "core/competition.h"
 #include "core/dense_fit.h"
 #include "core/fit_points.h"
+#include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/point_noise.h"
 #include "core/seen_points.h"
@@ -24,7 +25,7 @@ class Measurement {
 
   /// The detection with its shape fitted to the clear ones of its points (clear_points.h), and all that follows from
   /// the fit.
-  Detection of(const Detection& detection, const LabelledPoints& labelled, const std::vector<std::uint32_t>& clear);
+  Detection of(const Detection& detection, const LabelledPoints& labelled, const List<std::uint32_t>& clear);
 
  private:
   Shape fitted(const Shape& shape);

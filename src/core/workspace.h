@@ -14,6 +14,7 @@
 #include "core/dense_fit.h"
 #include "core/extent.h"
 #include "core/far_sides.h"
+#include "core/frame_memory.h"
 #include "core/labeling.h"
 #include "core/measurement.h"
 #include "core/neighbors.h"
@@ -213,7 +214,7 @@ struct Detector::Workspace {
 
   /// What is left of all rounds votes once more: together, samples of a small surface are enough.
   void voteAgain() {
-    const std::vector<std::uint32_t> rest = verification.unexplained();
+    const List<std::uint32_t> rest = verification.unexplained();
     const Samples voters = verification.samples().part(rest);
     if (voters.size() < kFewestPoints) return;
     search.run(voters, result.scene_diameter, [&rest](std::uint32_t voter) { return rest[voter]; });
@@ -227,7 +228,7 @@ struct Detector::Workspace {
     constexpr std::size_t kMostPoints = 8192, kMostPixels = 4096;
     const std::size_t most = verification.noise().depth_share > 0.0 ? kMostPixels : kMostPoints;
     labeling.label(result.items, tolerance, labeling.allRuns(), labels);
-    std::vector<bool> far_sides;
+    List<bool> far_sides;
     if (verification.noise().depth_share > 0.0) far_sides = markFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, result.items.size(), most, points);
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
@@ -252,7 +253,7 @@ struct Detector::Workspace {
     return static_cast<std::size_t>(params.min_inliers * std::max(1.0, kLeastShare * each));
   }
 
-  void describeSegments(const std::vector<Segment>& described, const Samples& of) {
+  void describeSegments(const List<Segment>& described, const Samples& of) {
     result.items.clear();
     for (const Segment& segment : described) {
       if (!segment.inliers.empty()) result.items.push_back(describe(segment, of));
@@ -260,6 +261,7 @@ struct Detector::Workspace {
     result.samples = static_cast<std::uint32_t>(of.size());
   }
 
+  FrameMemory memory;  ///< of all lists of this detector: it outlives them
   Params params;
   std::function<void(const char*)> stage_done;
   const Effort* effort = nullptr;  ///< only while a frame runs
@@ -268,16 +270,16 @@ struct Detector::Workspace {
   Verification verification;
   Search search;
   Sampler sampler;
-  Samples samples;                    ///< of this round
-  Samples all_samples;                ///< of all rounds of this frame, by votes alone
-  Tolerance tolerance;                ///< of what belongs to a shape
-  std::vector<Candidate> candidates;  ///< by votes alone
-  std::vector<Segment> segments;      ///< by votes alone
+  Samples samples;             ///< of this round
+  Samples all_samples;         ///< of all rounds of this frame, by votes alone
+  Tolerance tolerance;         ///< of what belongs to a shape
+  List<Candidate> candidates;  ///< by votes alone
+  List<Segment> segments;      ///< by votes alone
   Labeling labeling;
-  std::vector<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
+  List<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
   std::vector<std::uint32_t> labels;
-  std::vector<LabelledPoints> points;  ///< of the detections
-  NormalSource normal_source;          ///< of this frame
+  List<LabelledPoints> points;  ///< of the detections
+  NormalSource normal_source;   ///< of this frame
   Detections result;
 };
 

@@ -136,7 +136,7 @@ TEST(Detections, AreAsNearToTheTruthAsThousandsOfPointsAllow) {
 TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   Random random(42);
   const Cloud cloud = test::cloudOf(measured(patchOf(kBall, 1000, random), kNoise, 0.05, random));
-  std::vector<std::uint32_t> all(1000);
+  List<std::uint32_t> all(1000);
   std::iota(all.begin(), all.end(), 0u);
   Params params;
   params.max_radius = 0.0795;
@@ -159,7 +159,7 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   for (const test::SurfacePoint& p : patchOf(Sphere{kBall.center + away, kBall.radius}, 200, random))
     points.push_back(p);
   const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
-  std::vector<std::uint32_t> own(1000), clear(200);
+  List<std::uint32_t> own(1000), clear(200);
   std::iota(own.begin(), own.end(), 0u);
   std::iota(clear.begin(), clear.end(), 1000u);
   const Params params;
