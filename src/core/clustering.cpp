@@ -5,12 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace primitect {
 
 void sortByVotes(List<Candidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
+  // Not std::stable_sort, which takes memory from the heap.
+  List<std::pair<double, std::size_t>> order;
+  order.reserve(candidates.size());
+  for (std::size_t k = 0; k < candidates.size(); ++k) order.emplace_back(-candidates[k].votes, k);
+  std::sort(order.begin(), order.end());
+  List<Candidate> sorted;
+  sorted.reserve(candidates.size());
+  for (const auto& [votes, k] : order) sorted.push_back(candidates[k]);
+  candidates.swap(sorted);
 }
 
 namespace {

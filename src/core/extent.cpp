@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/frame_memory.h"
 
@@ -222,7 +224,7 @@ class Cells {
 
 /// Points of other objects that happen to lie in the plane do not stretch the outline: cells of three mean spacings
 /// that touch belong together, and the part counts that holds most points.
-Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
+Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>&& outline) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
   Extent extent;
@@ -241,13 +243,15 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
   extent.size.head<2>() = high - low;
   // A millimetre of a metre: less than the noise at a border, and half the corners.
   constexpr double kFlat = 1e-3;
+  extent.hull = std::move(outline);
+  extent.hull.clear();
   for (const Vec2& corner : convexHull(border, kFlat * extent.size.norm())) {
     extent.hull.push_back(foot + extent.rotation.leftCols<2>() * corner);
   }
   return extent;
 }
 
-Extent extentOf(const Sphere& sphere, const SeenPoints&) {
+Extent extentOf(const Sphere& sphere, const SeenPoints&, std::vector<Vec3>&&) {
   Extent extent;
   extent.origin = sphere.center;
   extent.radius = sphere.radius;
@@ -281,7 +285,7 @@ Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const 
   return frameAround(axis, meanOf(inliers) - point);
 }
 
-Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers) {
+Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, std::vector<Vec3>&&) {
   const SomePoints<kMostPoints> some(inliers);
   const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some);
   Extent extent;
@@ -292,7 +296,7 @@ Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers) {
   return extent;
 }
 
-Extent extentOf(const Cone& cone, const SeenPoints& inliers) {
+Extent extentOf(const Cone& cone, const SeenPoints& inliers, std::vector<Vec3>&&) {
   const SomePoints<kMostPoints> some(inliers);
   AxisRange range = rangeAlong(cone.apex, cone.axis, some);
   range.low = std::max(range.low, 0.0);
@@ -315,9 +319,9 @@ bool pointsUp(const Vec3& axis) {
 
 }  // namespace
 
-Extent measureExtent(const Shape& shape, const SeenPoints& inliers) {
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {
   if (inliers.empty()) return {};
-  return std::visit([&inliers](const auto& s) { return extentOf(s, inliers); }, shape);
+  return std::visit([&](const auto& s) { return extentOf(s, inliers, std::move(outline)); }, shape);
 }
 
 Shape canonical(const Shape& shape) {

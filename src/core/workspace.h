@@ -24,6 +24,7 @@
 #include "core/sampling.h"
 #include "core/search.h"
 #include "core/segmentation.h"
+#include "core/spare_outlines.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
 
@@ -37,13 +38,14 @@ inline Status statusOf(const Cloud& cloud) {
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
 }
 
-inline Detection describe(const Segment& segment, const Samples& samples) {
+/// outline: whose memory its own is to have.
+inline Detection describe(const Segment& segment, const Samples& samples, std::vector<Vec3> outline) {
   SeenPoints inliers;
   inliers.gather(samples, segment.inliers);
   Detection detection;
   detection.shape = canonical(segment.candidate.shape);
   detection.concave = segment.candidate.concave;
-  detection.extent = measureExtent(detection.shape, inliers);
+  detection.extent = measureExtent(detection.shape, inliers, std::move(outline));
   detection.votes = static_cast<float>(segment.candidate.votes);
   detection.inlier_count = static_cast<std::uint32_t>(inliers.size());
   detection.rms_error = rmsDistance(detection.shape, inliers);
@@ -83,12 +85,20 @@ struct Detector::Workspace {
     segments.clear();
     verification.begin({});
     normal_source.reset();
-    result = {};
+    forgetResult();
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
     if (result.status != Status::ok) return;
     labeling.begin(cloud);
+  }
+
+  /// All but the memory of its lists.
+  void forgetResult() {
+    spare_outlines.shorten(result.items, 0);
+    std::vector<Detection> items = std::move(result.items);
+    result = {};
+    result.items = std::move(items);
   }
 
   /// How many of what there are at full effort.
@@ -193,11 +203,9 @@ struct Detector::Workspace {
 
   /// More samples where the shapes are, without the points of large planes: these need no closer look.
   void lookCloser(const Cloud& cloud) {
-    std::vector<Detection> large;
-    for (const Detection& item : result.items) {
-      if (isLargePlane(item, verification.samples().size())) large.push_back(item);
-    }
-    draw(cloud, large, params.closer_samples, params.rounds);
+    const auto large = [this](std::size_t k) { return isLargePlane(result.items[k], verification.samples().size()); };
+    spare_outlines.keep(result.items, large);
+    draw(cloud, result.items, params.closer_samples, params.rounds);
     done("sample");
     estimateNormals(cloud, params, normal_source, samples);
     done("normals");
@@ -234,16 +242,15 @@ struct Detector::Workspace {
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
-    std::vector<Detection> measured;
-    const std::size_t fewest = fewestPoints();
+    const auto enough = [this, fewest = fewestPoints()](std::size_t k) { return points[k].all >= fewest; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
-      if (points[k].all >= fewest) {
-        measured.push_back(measurement.of(result.items[k], points[k], clear.of(k, points[k].index)));
+      if (enough(k)) {
+        measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
       } else {
         ++result.refusals[Refusal::few_inliers];
       }
     }
-    result.items = std::move(measured);
+    spare_outlines.keep(result.items, enough);
   }
 
   /// The closer look may take every point of what is left: a shape has more of them than just those.
@@ -254,9 +261,10 @@ struct Detector::Workspace {
   }
 
   void describeSegments(const List<Segment>& described, const Samples& of) {
-    result.items.clear();
+    spare_outlines.shorten(result.items, 0);
     for (const Segment& segment : described) {
-      if (!segment.inliers.empty()) result.items.push_back(describe(segment, of));
+      if (segment.inliers.empty()) continue;
+      result.items.push_back(describe(segment, of, spare_outlines.take(kindOf(segment.candidate.shape))));
     }
     result.samples = static_cast<std::uint32_t>(of.size());
   }
@@ -280,6 +288,7 @@ struct Detector::Workspace {
   std::vector<std::uint32_t> labels;
   List<LabelledPoints> points;  ///< of the detections
   NormalSource normal_source;   ///< of this frame
+  SpareOutlines spare_outlines;
   Detections result;
 };
 
