@@ -51,6 +51,9 @@ class Detector {
   /// The result is valid until the next call. Throws std::invalid_argument naming a share that is not in (0, 1].
   const Detections& detect(const Cloud& cloud, const Effort& effort = {});
 
+  /// What the last detect() found.
+  const Detections& result() const;
+
   /// The label of each point of the cloud given to the last detect(): index of its detection + 1, 0 = none.
   void label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const;
 

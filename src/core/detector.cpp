@@ -37,6 +37,8 @@ Detector& Detector::operator=(Detector&&) noexcept = default;
 
 const Params& Detector::params() const { return work_->params; }
 
+const Detections& Detector::result() const { return work_->result; }
+
 SampleView Detector::samples() const {
   const Samples& s = work_->allSamples();
   return {s.x.data(), s.y.data(), s.z.data(), s.nx.data(), s.ny.data(), s.nz.data(), s.size()};
