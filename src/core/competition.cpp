@@ -39,11 +39,11 @@ struct Start {
 };
 
 /// The hypothesis itself, a plane, and every curved kind on every side that is wanted.
-std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& points, const ProposalRules& rules) {
+List<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& points, const ProposalRules& rules) {
   const Params& params = rules.limits.params;
   const Moments moments = momentsOf(points);
   const bool curved = curvesEnough(moments, points.meanSigma(), rules.noise);
-  std::vector<Start> starts;
+  List<Start> starts;
   const auto add = [&](const std::optional<Shape>& shape, bool concave) {
     if (!shape || !enabled(kindOf(*shape), params)) return;
     if (curved || kindOf(*shape) == Kind::plane) starts.push_back({*shape, concave});
@@ -62,7 +62,7 @@ std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& poin
 }
 
 /// How far the farthest of the set is from there (m).
-double reachOf(const Samples& samples, const std::vector<std::uint32_t>& set, const Vec3& middle) {
+double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec3& middle) {
   double farthest_sq = 0.0;
   for (const std::uint32_t i : set) farthest_sq = std::max(farthest_sq, (samples.point(i) - middle).squaredNorm());
   return std::sqrt(farthest_sq);
@@ -70,8 +70,8 @@ double reachOf(const Samples& samples, const std::vector<std::uint32_t>& set, co
 
 /// Calls use(trial) with the fit from each start that ends within the limits, and its score; counts those that do not.
 template <class Use>
-int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
-           const ProposalRules& rules, const Hypothesis& hypothesis, const Use& use) {
+int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set, const ProposalRules& rules,
+           const Hypothesis& hypothesis, const Use& use) {
   FitPoints points;
   points.gather({samples, set});
   // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
@@ -103,7 +103,7 @@ bool Limits::hold(const Shape& shape) const {
   return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape) <= max_radius;
 }
 
-bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
   double best = 0.0;
   const int refused = fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
@@ -119,7 +119,7 @@ bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vecto
   return best > 0.0;
 }
 
-Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                 const ProposalRules& rules, const Hypothesis& hypothesis) {
   constexpr double kClose = 0.05;
   Rival rival;

@@ -15,17 +15,17 @@
 namespace primitect {
 
 void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
-                    std::vector<LabelledPoints>& points) {
+                    List<LabelledPoints>& points) {
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
-  std::vector<LabelRun> runs;
+  List<LabelRun> runs;
   runs.reserve(labels.size() / kLabelsAtOnce);
   forLabelRuns(labels, [&](const LabelRun& run) {
     if (run.label > count) return;
     points[run.label - 1].all += run.end - run.begin;
     runs.push_back(run);
   });
-  std::vector<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
+  List<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
   for (const LabelRun& run : runs) {
     LabelledPoints& of_label = points[run.label - 1];
     const std::size_t step = of_label.all / most + 1;
@@ -61,7 +61,7 @@ double fitOf(const Shape& shape, const FitPoints& points) {
 }
 
 /// Slightly tapered either way: where the search for a cone on a cylinder's points begins.
-std::vector<Shape> tapered(const Cylinder& cylinder, const Vec3& middle) {
+List<Shape> tapered(const Cylinder& cylinder, const Vec3& middle) {
   constexpr double kTaper = 0.1;  // rad
   const Vec3 center = cylinder.point + (middle - cylinder.point).dot(cylinder.axis) * cylinder.axis;
   const Vec3 to_apex = cylinder.radius / std::tan(kTaper) * cylinder.axis;
@@ -77,7 +77,7 @@ Shape straightened(const Cone& cone, const Vec3& middle) {
 }  // namespace
 
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
-  std::vector<Shape> starts = {shape};
+  List<Shape> starts = {shape};
   const Vec3 middle = points.middle();
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
     for (const Shape& cone : tapered(*cylinder, middle)) starts.push_back(cone);

@@ -29,8 +29,8 @@ struct Border {
   bool runs_on = false, runs_into = false;
 };
 
-Border borderAt(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
-                std::uint32_t self, std::uint32_t i) {
+Border borderAt(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner, std::uint32_t self,
+                std::uint32_t i) {
   Border border;
   for (const std::uint32_t j : graph.of(i)) {
     if (owner[j] == self || !continuous(samples, i, j)) continue;
@@ -65,7 +65,7 @@ constexpr std::array<Features, kKindCount> kWeights = {{
 
 }  // namespace
 
-Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
+Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
                         std::uint32_t self, const Hypothesis& hypothesis) {
   double inliers = 0.0, gain = 0.0, against = 0.0, open = 0.0, shared = 0.0, border = 0.0, residuals = 0.0;
   Vec3 normals = Vec3::Zero();

@@ -20,14 +20,14 @@ struct Height {
   std::uint32_t sample;
 };
 
-Vec3 meanNormal(const Samples& samples, const std::vector<std::uint32_t>& indices) {
+Vec3 meanNormal(const Samples& samples, const List<std::uint32_t>& indices) {
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t i : indices) sum += samples.normal(i);
   return sum.normalized();
 }
 
 /// How many of the lowest make the two classes whose means differ most against their sizes (Otsu 1979).
-std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
+std::size_t bestCut(const List<Height>& heights, std::size_t least) {
   double total = 0.0;
   for (const Height& h : heights) total += h.height;
   const double count = static_cast<double>(heights.size());
@@ -49,7 +49,7 @@ std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
 /// Samples, and how badly the best plane fits them: the sum of what they are off in distance and normal, in standard
 /// deviations, squared.
 struct Group {
-  std::vector<std::uint32_t> samples;
+  List<std::uint32_t> samples;
   double misfit;
 };
 
@@ -62,7 +62,7 @@ double misfitAt(const Plane& plane, const Samples& samples, std::uint32_t i) {
   return away * away + std::min(turn_sq, kMost);
 }
 
-double misfitOf(const Samples& samples, const std::vector<std::uint32_t>& part) {
+double misfitOf(const Samples& samples, const List<std::uint32_t>& part) {
   FitPoints points;
   points.gather({samples, part});
   const std::optional<Shape> start = fitFromMoments(Kind::plane, momentsOf(points));
@@ -112,7 +112,7 @@ Pair pairOf(const Samples& samples, const Group& a, const Group& b) {
 class Grouping {
  public:
   Grouping(const Samples& samples, const SampleParts& parts) : samples_(samples) {
-    for (const std::vector<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
+    for (const List<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
   }
 
   /// Joins the two that are most at one; false when no two are.
@@ -145,7 +145,7 @@ class Grouping {
 
  private:
   void add(Group group) {
-    std::vector<Pair> with_others;
+    List<Pair> with_others;
     for (const Group& other : groups_) with_others.push_back(pairOf(samples_, other, group));
     pairs_.push_back(std::move(with_others));
     groups_.push_back(std::move(group));
@@ -159,8 +159,8 @@ class Grouping {
   }
 
   const Samples& samples_;
-  std::vector<Group> groups_;
-  std::vector<std::vector<Pair>> pairs_;  ///< of each group with those before it
+  List<Group> groups_;
+  List<List<Pair>> pairs_;  ///< of each group with those before it
 };
 
 }  // namespace
@@ -171,19 +171,19 @@ SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts) {
   return grouping.groups();
 }
 
-SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {
+SampleParts separateParts(const List<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {
   SampleParts parts = graph.parts(inliers, least);
   const bool all_touch = parts.size() == 1 && parts.front().size() == inliers.size();
   return all_touch ? SampleParts() : parts;
 }
 
-SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vector<std::uint32_t>& inliers,
+SampleParts stepParts(const Samples& samples, const Plane& plane, const List<std::uint32_t>& inliers,
                       std::size_t least) {
   constexpr double kLeastTilt = 0.02;  // rad: ten times what the noise of fifty normals leaves
   if (inliers.size() < 2 * least) return {};
   const Vec3 up = meanNormal(samples, inliers);
   if (!(up.cross(plane.normal).norm() > kLeastTilt)) return {};
-  std::vector<Height> heights;
+  List<Height> heights;
   for (const std::uint32_t i : inliers) heights.push_back({up.dot(samples.point(i)), i});
   std::sort(heights.begin(), heights.end(), [](const Height& a, const Height& b) {
     return a.height != b.height ? a.height < b.height : a.sample < b.sample;
@@ -191,7 +191,7 @@ SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vec
   const std::size_t cut = bestCut(heights, least);
   SampleParts parts(2);
   for (std::size_t k = 0; k < heights.size(); ++k) parts[k < cut ? 0 : 1].push_back(heights[k].sample);
-  for (std::vector<std::uint32_t>& part : parts) std::sort(part.begin(), part.end());
+  for (List<std::uint32_t>& part : parts) std::sort(part.begin(), part.end());
   return parts;
 }
 

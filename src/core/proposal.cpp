@@ -54,7 +54,7 @@ class MayStandFor {
 }  // namespace
 
 void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
-            Hypothesis& hypothesis, std::vector<std::uint32_t>& set) {
+            Hypothesis& hypothesis, List<std::uint32_t>& set) {
   describe(candidate, hypothesis);
   inliersAround(candidate.point, rules.reach, samples, held, widenFor(candidate, rules), hypothesis, set);
 }
@@ -65,7 +65,7 @@ namespace {
 enum class Outcome { nothing, known, grown };
 
 /// One of the pool is like the hypothesis, and explains about as much.
-bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) {
+bool isKnown(const Hypothesis& hypothesis, const List<Hypothesis>& pool) {
   return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
     return hypothesis.gain_sum < kMore * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
   });
@@ -73,8 +73,8 @@ bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) 
 
 /// Fits the hypothesis to the set, and to all that it then explains, until it grows no more, or into what is in the
 /// pool.
-Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, std::vector<std::uint32_t> set,
-             const std::vector<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
+Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, List<std::uint32_t> set,
+             const List<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
   constexpr int kGrowths = 3;
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   std::size_t before = 0;
@@ -105,8 +105,8 @@ bool Proposer::wants(std::uint32_t sample) const {
   return held_[sample] <= kWell && failures_[sample] < kTries;
 }
 
-void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
-                       const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals) {
+void Proposer::propose(const Samples& samples, SampleGraph& graph, const List<Candidate>& candidates,
+                       const ProposalRules& rules, List<Hypothesis>& pool, Refusals& refusals) {
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   const auto unexplained = [this](std::uint32_t i) { return held_[i] < kWellExplained; };
   for (const Candidate& candidate : candidates) {

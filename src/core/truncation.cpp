@@ -186,7 +186,7 @@ class Bands {
 };
 
 /// Start and direction of all walks.
-std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) {
+List<std::pair<Pixel, Pixel>> startsOf(const List<Pixel>& pixels) {
   Pixel low = pixels.front(), high = pixels.front();
   for (const Pixel& p : pixels) {
     low = {std::min(low.column, p.column), std::min(low.row, p.row)};
@@ -197,7 +197,7 @@ std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) 
     columns.add(p.column, p.row, p);
     rows.add(p.row, p.column, p);
   }
-  std::vector<std::pair<Pixel, Pixel>> starts;
+  List<std::pair<Pixel, Pixel>> starts;
   const auto bothWays = [&starts](const Pixel& step) {
     return [&starts, step](const Pixel& first, const Pixel& last) {
       starts.push_back({first, {-step.column, -step.row}});
@@ -210,7 +210,7 @@ std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) 
 }
 
 /// The points reach a bound when the gap to it is no larger than those between them.
-std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const std::vector<std::uint32_t>& points) {
+std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const List<std::uint32_t>& points) {
   const auto byDepth = [&cloud](std::uint32_t a, std::uint32_t b) { return cloud.z[a] < cloud.z[b]; };
   const auto ends = std::minmax_element(points.begin(), points.end(), byDepth);
   const float nearest = cloud.z[*ends.first], farthest = cloud.z[*ends.second];
@@ -227,13 +227,13 @@ TruncationFinder::TruncationFinder(const Cloud& cloud, const ImageRays& rays, co
     : cloud_(cloud), rays_(rays), range_(range), sigma_(std::move(sigma)) {}
 
 std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
-                                    const std::vector<std::uint32_t>& inlier_points) const {
+                                    const List<std::uint32_t>& inlier_points) const {
   if (inlier_points.empty()) return kTruncationUnknown;
   if (!rays_.known) return kTruncationUnknown | depthBit(cloud_, range_, inlier_points);
   // More would only find borders that are a pixel farther out.
   constexpr std::size_t kMostStarts = 600;
   const ObservedPart part(shape, extent);
-  std::vector<Pixel> pixels;
+  List<Pixel> pixels;
   for (std::size_t k = 0; k < inlier_points.size(); k += inlier_points.size() / kMostStarts + 1) {
     const std::uint32_t i = inlier_points[k];
     const Vec3 p(cloud_.x[i], cloud_.y[i], cloud_.z[i]);

@@ -44,7 +44,7 @@ std::vector<SurfacePoint> pointsOfCan() {
 
 Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
   FitPoints fit_points;
-  const std::vector<std::uint32_t> all = test::allOf(points);
+  const List<std::uint32_t> all = test::allOf(points);
   fit_points.gather({points, all});
   return refineOnPoints(shape, fit_points, {params, 0.4});
 }
@@ -116,7 +116,7 @@ TEST(RefineOnPoints, LeavesOutPointsBeyondTheNoise) {
 TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   std::vector<std::uint32_t> labels(10000, 0);
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = i < 9000 ? i % 2 : 2;
-  std::vector<LabelledPoints> points;
+  List<LabelledPoints> points;
   pointsOfLabels(labels, 3, 1000, points);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].all, 4500u);
@@ -129,7 +129,7 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
     for (const std::uint32_t i : points[k].index) EXPECT_EQ(labels[i], k + 1);
   }
   // Evenly: the mean place is the middle of all of them.
-  const std::vector<std::uint32_t>& first = points[0].index;
+  const List<std::uint32_t>& first = points[0].index;
   const double mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
   EXPECT_NEAR(mean, 4500.0, 50.0);
 }
@@ -139,7 +139,7 @@ TEST(FitPoints, OfWhatWasSeenAreThoseOfSamplesThere) {
     const Samples samples = samplesWith(noise, pointsOfCan());
     std::vector<Vec3> places;
     for (std::size_t k = 0; k < samples.size(); ++k) places.push_back(samples.point(k));
-    const std::vector<std::uint32_t> all = test::allOf(samples);
+    const List<std::uint32_t> all = test::allOf(samples);
     FitPoints expected, found;
     expected.gather({samples, all});
     found.gather(places, noise);

@@ -229,7 +229,7 @@ TEST(Withhold, TakesSamplesFromTheSupportAndTheirGainsFromTheSum) {
   withhold({0, 1, 2}, hypothesis);
   EXPECT_EQ(hypothesis.inliers, before - 3);
   EXPECT_NEAR(hypothesis.gain_sum, sum - 3.0, 3 * kRounding);
-  std::vector<std::uint32_t> left;
+  List<std::uint32_t> left;
   inliersOf(hypothesis, left);
   EXPECT_EQ(left.front(), 3u);
 }
@@ -250,7 +250,7 @@ TEST(InliersAround, AreTheInliersWithinReach) {
   const Samples samples = samplesWith(kNoiseModel, test::patchOf(kPlane, 2000, 1.0, random));
   constexpr double kReach = 0.2;
   const Hypothesis all = hypothesisOf(kPlane, samples);
-  std::vector<std::uint32_t> expected, around;
+  List<std::uint32_t> expected, around;
   inliersOf(all, expected);
   const auto far = [&](std::uint32_t i) { return (samples.point(i) - samples.point(0)).norm() > kReach; };
   expected.erase(std::remove_if(expected.begin(), expected.end(), far), expected.end());

@@ -85,8 +85,8 @@ Samples withNoise(double sigma, Samples samples) {
   return samples;
 }
 
-std::vector<std::uint32_t> range(std::uint32_t begin, std::uint32_t end) {
-  std::vector<std::uint32_t> indices;
+List<std::uint32_t> range(std::uint32_t begin, std::uint32_t end) {
+  List<std::uint32_t> indices;
   for (std::uint32_t i = begin; i < end; ++i) indices.push_back(i);
   return indices;
 }
