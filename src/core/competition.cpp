@@ -27,7 +27,7 @@ bool enabled(Kind kind, const Params& params) {
 
 /// A tube so thin that the edge of a table, rounded by a depth camera, looks the same.
 bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
-  constexpr double kLeastRadius = 8.0;  // standard deviations of the noise
+  constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
   const Cylinder* tube = std::get_if<Cylinder>(&shape);
   return noise.depth_share > 0.0 && tube && tube->radius < kLeastRadius * sigma;
 }

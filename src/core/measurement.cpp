@@ -11,6 +11,7 @@
 #include "core/coverage.h"
 #include "core/extent.h"
 #include "core/fitting.h"
+#include "core/seen_share.h"
 #include "core/shared_noise.h"
 
 namespace primitect {
@@ -24,7 +25,12 @@ DepthRange rangeOf(const Params& params) {
 
 Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
                          const Limits& limits)
-    : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rays, rangeOf(params), sigma_) {}
+    : cloud_(cloud),
+      rays_(rays),
+      noise_(noise),
+      limits_(limits),
+      sigma_(noise),
+      truncation_(cloud, rays, rangeOf(params), sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape) {
   Shape start = shape;
@@ -52,6 +58,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.inlier_count = static_cast<std::uint32_t>(labelled.all);
   detection.rms_error = rmsDistance(detection.shape, points_);
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_);
+  detection.confidence *= static_cast<float>(trustIn(seenShare(detection, labelled.index, cloud_, rays_, sigma_)));
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);

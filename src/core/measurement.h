@@ -24,13 +24,14 @@ class Measurement {
               const Limits& limits);
 
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
-  /// the fit.
+  /// the fit. Where the surface is not seen although it should be (seen_share.h), confidence goes down.
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection);
 
  private:
   Shape fitted(const Shape& shape);
 
   const Cloud& cloud_;
+  ImageRays rays_;
   NoiseModel noise_;
   Limits limits_;
   PointNoise sigma_;

@@ -243,14 +243,13 @@ struct Detector::Workspace {
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
     const auto enough = [this, fewest = fewestPoints()](std::size_t k) { return points[k].all >= fewest; };
+    const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
-      if (enough(k)) {
-        measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
-      } else {
-        ++result.refusals[Refusal::few_inliers];
-      }
+      if (enough(k)) measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
+      if (!enough(k)) ++result.refusals[Refusal::few_inliers];
+      if (enough(k) && !likely(k)) ++result.refusals[Refusal::unlikely];
     }
-    spare_outlines.keep(result.items, enough);
+    spare_outlines.keep(result.items, [&](std::size_t k) { return enough(k) && likely(k); });
   }
 
   /// The closer look may take every point of what is left: a shape has more of them than just those.
