@@ -61,6 +61,19 @@ TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {
   }
 }
 
+TEST(RefineOnPoints, TurnsACylinderThatLeansAlongTheSeenSideOfAConeIntoTheCone) {
+  // Of a cone that stands upright the camera sees one side; the cylinder that fits it best lies along that side.
+  constexpr double kHalfAngle = 9.0 * kDegree;
+  const Samples points = samplesOfTapered(kHalfAngle, 3000, 56);
+  const Vec3 outward(0, -std::sin(kHalfAngle), -std::cos(kHalfAngle)),
+      along(0, std::cos(kHalfAngle), -std::sin(kHalfAngle));
+  const Vec3 seen = kCan.point - kCan.radius * Vec3::UnitZ();
+  const double radius = kCan.radius / std::cos(kHalfAngle);
+  const Shape found = refined(Cylinder{seen - radius * outward, along, radius}, points);
+  ASSERT_EQ(kindOf(found), Kind::cone);
+  EXPECT_NEAR(std::get<Cone>(found).half_angle, kHalfAngle, 3.0 * 4.0 * kNoise / 0.05 / std::sqrt(3000.0));
+}
+
 TEST(RefineOnPoints, LeavesACylinderACylinder) {
   Params params;
   params.min_half_angle_deg = 0.0;  // so that it is the fit that decides, not the limit
