@@ -63,15 +63,18 @@ TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {
 
 TEST(RefineOnPoints, TurnsACylinderThatLeansAlongTheSeenSideOfAConeIntoTheCone) {
   // Of a cone that stands upright the camera sees one side; the cylinder that fits it best lies along that side.
-  constexpr double kHalfAngle = 9.0 * kDegree;
-  const Samples points = samplesOfTapered(kHalfAngle, 3000, 56);
-  const Vec3 outward(0, -std::sin(kHalfAngle), -std::cos(kHalfAngle)),
-      along(0, std::cos(kHalfAngle), -std::sin(kHalfAngle));
-  const Vec3 seen = kCan.point - kCan.radius * Vec3::UnitZ();
-  const double radius = kCan.radius / std::cos(kHalfAngle);
-  const Shape found = refined(Cylinder{seen - radius * outward, along, radius}, points);
+  constexpr double kHalfAngle = 9.0 * kDegree, kRadius = 0.2, kReach = 0.2;
+  const double height = kRadius / std::tan(kHalfAngle);
+  const Cone cone = {Vec3(0, -height, 2), Vec3(0, 1, 0), kHalfAngle};
+  Random random(56);
+  const Samples points = noisySamples(patchOf(cone, 3000, height - kReach, height + kReach, random), 0.0, random);
+  const SurfacePoint seen = test::pointOn(cone, height, -0.5 * M_PI);
+  ASSERT_LT(seen.normal.z(), -0.9);
+  const Vec3 along = (seen.point - cone.apex).normalized();
+  const double radius = kRadius / std::cos(kHalfAngle);
+  const Shape found = refined(Cylinder{seen.point - radius * seen.normal, along, radius}, points);
   ASSERT_EQ(kindOf(found), Kind::cone);
-  EXPECT_NEAR(std::get<Cone>(found).half_angle, kHalfAngle, 3.0 * 4.0 * kNoise / 0.05 / std::sqrt(3000.0));
+  EXPECT_NEAR(std::get<Cone>(found).half_angle, kHalfAngle, 3.0 * 4.0 * kNoise / kReach / std::sqrt(3000.0));
 }
 
 TEST(RefineOnPoints, LeavesACylinderACylinder) {
