@@ -3,6 +3,7 @@
 // Fits of all kinds and their scores; see competition.h.
 #include "core/competition.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -39,10 +40,9 @@ struct Start {
 };
 
 /// The hypothesis itself, a plane, and every curved kind on every side that is wanted.
-List<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& points, const ProposalRules& rules) {
+List<Start> startsFor(const Hypothesis& hypothesis, const Moments& moments, double sigma, const ProposalRules& rules) {
   const Params& params = rules.limits.params;
-  const Moments moments = momentsOf(points);
-  const bool curved = curvesEnough(moments, points.meanSigma(), rules.noise);
+  const bool curved = curvesEnough(moments, sigma, rules.noise);
   List<Start> starts;
   const auto add = [&](const std::optional<Shape>& shape, bool concave) {
     if (!shape || !enabled(kindOf(*shape), params)) return;
@@ -68,6 +68,19 @@ double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec
   return std::sqrt(farthest_sq);
 }
 
+/// The plane that lies as its samples' normals say, where the one through its samples does not: those of a narrow strip
+/// tell little about how it lies across, and beside an edge many samples have no good normal and are not taken.
+std::optional<Plane> planeByNormals(const Plane& fitted, const Moments& moments, double sigma) {
+  constexpr double kAskew = 0.05;  // rad
+  constexpr double kNarrow = 3.5;  // standard deviations of the noise, across the strip
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moments.points, Eigen::EigenvaluesOnly);
+  if (!(solver.eigenvalues()[1] < kNarrow * kNarrow * sigma * sigma)) return std::nullopt;
+  const Vec3 normal = moments.mean_normal.normalized();
+  if (!(normal.cross(fitted.normal).norm() > kAskew)) return std::nullopt;
+  return Plane{moments.mean_point, normal};
+}
+
 /// Calls use(trial) with the fit from each start that ends within the limits, and its score; counts those that do not.
 template <class Use>
 int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set, const ProposalRules& rules,
@@ -82,17 +95,25 @@ int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32
   Hypothesis trial;
   trial.middle = points.middle();
   trial.reach = reachOf(samples, set, trial.middle);
-  for (const Start& start : startsFor(hypothesis, points, rules)) {
+  const Moments moments = momentsOf(points);
+  const auto judge = [&](const Shape& shape, bool concave) {
+    trial.shape = shape;
+    trial.concave = concave;
+    score(samples, held, 1.0, trial);
+    use(trial);
+  };
+  for (const Start& start : startsFor(hypothesis, moments, points.meanSigma(), rules)) {
     const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
     if (!shape) continue;
     if (!rules.limits.hold(*shape) || tooThin(*shape, points.meanSigma(), rules.noise)) {
       ++refused;
       continue;
     }
-    trial.shape = *shape;
-    trial.concave = start.concave;
-    score(samples, held, 1.0, trial);
-    use(trial);
+    judge(*shape, start.concave);
+    if (const Plane* plane = std::get_if<Plane>(&*shape)) {
+      if (const auto by_normals = planeByNormals(*plane, moments, points.meanSigma()))
+        judge(*by_normals, start.concave);
+    }
   }
   return refused;
 }
