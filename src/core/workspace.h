@@ -36,7 +36,8 @@ inline Status statusOf(const Cloud& cloud) {
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
 }
 
-inline Detection describe(const Segment& segment, const Samples& samples) {
+/// last: nothing will be measured on the points of the cloud.
+inline Detection describe(const Segment& segment, const Samples& samples, bool last) {
   SeenPoints inliers;
   inliers.gather(samples, segment.inliers);
   Detection detection;
@@ -45,7 +46,7 @@ inline Detection describe(const Segment& segment, const Samples& samples) {
   detection.extent = measureExtent(detection.shape, inliers);
   detection.votes = static_cast<float>(segment.candidate.votes);
   detection.inlier_count = static_cast<std::uint32_t>(inliers.size());
-  detection.rms_error = rmsDistance(detection.shape, inliers);
+  if (last) detection.rms_error = rmsDistance(detection.shape, inliers);
   detection.confidence = static_cast<float>(segment.confidence);
   detection.evidence = segment.evidence;
   detection.rival = segment.rival;
@@ -255,7 +256,7 @@ struct Detector::Workspace {
   void describeSegments(const std::vector<Segment>& described, const Samples& of) {
     result.items.clear();
     for (const Segment& segment : described) {
-      if (!segment.inliers.empty()) result.items.push_back(describe(segment, of));
+      if (!segment.inliers.empty()) result.items.push_back(describe(segment, of, !params.verify));
     }
     result.samples = static_cast<std::uint32_t>(of.size());
   }
