@@ -30,15 +30,20 @@ class Choice {
 
   /// What the total gains when h joins.
   Worth worthOfAdding(std::uint32_t h) const {
-    double gain = 0.0, against = 0.0, own = 0.0;
+    double gain = 0.0, against = 0.0;
+    std::size_t better = 0;
     for (const Support& support : pool_[h].support) {
       const float held = best_[support.sample].gain;
-      const bool better = support.gain > held && held < kWellExplained;
-      gain += better ? support.gain - held : 0.0f;
-      own += better ? 1.0 : 0.0;
-      // Near it, but not on it: against it, unless somebody else explains that sample.
-      against += support.gain < 0.0f && held <= 0.0f ? support.gain : 0.0f;
+      if (held >= kWellExplained) continue;
+      if (support.gain > held) {
+        gain += support.gain - held;
+        ++better;
+      } else if (held <= 0.0f) {
+        // Near it, but not on it: against it, unless somebody else explains that sample.
+        against += support.gain;
+      }
     }
+    const double own = static_cast<double>(better);
     return {gain, own < least(h) ? -1.0 : gain + against - price(h, own)};
   }
 
@@ -115,15 +120,22 @@ class Choice {
   const Standing& standingOf(std::uint32_t h) {
     Standing& standing = standings_[h];
     if (standing.known) return standing;
-    double gain = 0.0, owned = 0.0, lost = 0.0, missed = 0.0, against = 0.0;
+    double gain = 0.0, lost = 0.0, against = 0.0;
+    std::size_t all = 0, without_other = 0;
     for (const Support& support : pool_[h].support) {
       const Holder& best = best_[support.sample];
-      if (support.gain < 0.0f && best.gain <= 0.0f) against += support.gain;
-      if (best.hypothesis != h) continue;
-      gain += best.gain, owned += 1.0;
-      const float other = second_[support.sample].gain;
-      if (other < kWellExplained) lost += best.gain - other, missed += 1.0;
+      if (best.hypothesis == h) {
+        gain += best.gain;
+        ++all;
+        const float other = second_[support.sample].gain;
+        if (other >= kWellExplained) continue;
+        lost += best.gain - other;
+        ++without_other;
+      } else if (best.gain <= 0.0f) {
+        against += support.gain;
+      }
     }
+    const double owned = static_cast<double>(all), missed = static_cast<double>(without_other);
     standing.known = true;
     standing.share = gain + against - price(h, owned);
     standing.keeping = missed < least(h) ? -1.0 : lost + against - price(h, missed);
