@@ -19,7 +19,7 @@ constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 Samples samplesAt(const std::vector<std::uint32_t>& points, const Cloud& cloud) {
   Samples samples;
   samples.resize(points.size());
-  samples.index = points;
+  samples.index.assign(points.begin(), points.end());
   for (std::size_t k = 0; k < points.size(); ++k) {
     samples.x[k] = cloud.x[points[k]], samples.y[k] = cloud.y[points[k]], samples.z[k] = cloud.z[points[k]];
     samples.nx[k] = samples.ny[k] = samples.nz[k] = kMissing;

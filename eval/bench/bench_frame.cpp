@@ -85,7 +85,7 @@ Work processing(const std::shared_ptr<LazyMessages>& messages, const Params& par
   const auto run = [bout, messages](std::size_t frame, FrameClock& clock) {
     bout->clock = &clock;
     bout->pipeline.times().begin();
-    const PrimitiveArray message = bout->pipeline.process(messages->get()[frame]);
+    const PrimitiveArray& message = bout->pipeline.process(messages->get()[frame]);
     clock.stageDone("message");
     clock.end();
     bout->pipeline.times().end();

@@ -3,6 +3,7 @@
 // The detector: a cloud in, primitives out.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,9 +15,10 @@
 
 namespace primitect {
 
-/// The samples of the last frame with their normals, structure of arrays, m.
+/// The samples of the last frame with their normals, structure of arrays, m; until the next frame.
 struct SampleView {
-  const std::vector<float>&x, &y, &z, &nx, &ny, &nz;
+  const float *x, *y, *z, *nx, *ny, *nz;
+  std::size_t count;
 };
 
 /// How much work a frame may be. The default is all of it: the result then depends on cloud and parameters alone.
@@ -48,6 +50,9 @@ class Detector {
   /// Never throws on data: an unusable cloud gives no primitives and the reason in status.
   /// The result is valid until the next call. Throws std::invalid_argument naming a share that is not in (0, 1].
   const Detections& detect(const Cloud& cloud, const Effort& effort = {});
+
+  /// What the last detect() found.
+  const Detections& result() const;
 
   /// The label of each point of the cloud given to the last detect(): index of its detection + 1, 0 = none.
   void label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const;

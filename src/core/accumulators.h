@@ -5,9 +5,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "core/axis_ball.h"
+#include "core/frame_memory.h"
 #include "kernels/kernels.h"
 #include "primitect/params.h"
 
@@ -53,8 +53,8 @@ class Accumulators {
  private:
   /// Empty where the side does not vote.
   struct CurvedMemory {
-    std::vector<float> sphere, cylinder, cone;
-    std::vector<int> cone_cells;  ///< of the many bins of cones a reference votes for few: only these are cleared
+    List<float> sphere, cylinder, cone;
+    List<int> cone_cells;  ///< of the many bins of cones a reference votes for few: only these are cleared
   };
 
   /// Bins in this memory, which then has room for the cells of a reference's votes.

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/frame_memory.h"
 #include "kernels/kernels.h"
 #include "primitect/primitives.h"
 
@@ -22,7 +23,7 @@ class AxisBall {
   const Vec3& direction(int bin) const { return directions_[bin]; }
 
   /// The bins that touch this one, itself first.
-  const std::vector<int>& neighborhood(int bin) const { return neighborhoods_[bin]; }
+  const List<int>& neighborhood(int bin) const { return neighborhoods_[bin]; }
 
   /// What the kernels read; valid as long as this object lives and is not moved.
   kernels::AxisBall view() const { return {rings_, static_cast<float>(step_), ring_start_.data(), ring_size_.data()}; }
@@ -33,9 +34,9 @@ class AxisBall {
 
   int rings_;
   double step_;
-  std::vector<int> ring_start_, ring_size_;
+  List<int> ring_start_, ring_size_;
   std::vector<Vec3> directions_;
-  std::vector<std::vector<int>> neighborhoods_;
+  List<List<int>> neighborhoods_;
 };
 
 }  // namespace primitect

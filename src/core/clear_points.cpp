@@ -162,8 +162,7 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
 }  // namespace
 
 ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-                         const std::vector<std::uint32_t>& labels, std::vector<bool> has_far_side,
-                         const NoiseModel& noise)
+                         const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise)
     : cloud_(cloud),
       normals_(normals),
       detections_(detections),
@@ -178,15 +177,14 @@ ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const 
   }
 }
 
-std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
-                                                   const std::vector<std::uint32_t>& points) const {
+List<std::uint32_t> ClearPoints::surrounded(std::uint32_t label, const List<std::uint32_t>& points) const {
   // Its rim is as wide as a wall can be whose far side is taken for the near one. With 2 NEES of the spheres and cones
   // of tables is 1.5 and 1.2, without 1.7 and 1.4; with 3 and 4 errors are larger.
   constexpr int kRim = 2;
   const int radius = ringRadius(cloud_);
   const Ring ring(radius, cloud_.width), wide(kRim * radius, cloud_.width);
   const bool any_far = !has_far_side_.empty() && has_far_side_[label - 1];
-  std::vector<std::uint32_t> result;
+  List<std::uint32_t> result;
   result.reserve(points.size());
   for (const std::uint32_t i : points) {
     if (ring.meetsOther(label, cloud_, labels_, i)) continue;
@@ -195,8 +193,8 @@ std::vector<std::uint32_t> ClearPoints::surrounded(std::uint32_t label,
   return result;
 }
 
-std::vector<std::uint32_t> ClearPoints::apart(std::size_t detection, const std::vector<std::uint32_t>& points) const {
-  std::vector<std::uint32_t> result;
+List<std::uint32_t> ClearPoints::apart(std::size_t detection, const List<std::uint32_t>& points) const {
+  List<std::uint32_t> result;
   Places places;
   for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
     places.count = std::min(kAtOnce, points.size() - begin);
@@ -212,9 +210,9 @@ std::vector<std::uint32_t> ClearPoints::apart(std::size_t detection, const std::
   return result;
 }
 
-std::vector<std::uint32_t> ClearPoints::of(std::size_t detection, const std::vector<std::uint32_t>& points) const {
+List<std::uint32_t> ClearPoints::of(std::size_t detection, const List<std::uint32_t>& points) const {
   const auto label = static_cast<std::uint32_t>(detection + 1);
-  std::vector<std::uint32_t> result = depth_image_ ? surrounded(label, points) : apart(detection, points);
+  List<std::uint32_t> result = depth_image_ ? surrounded(label, points) : apart(detection, points);
   return enough(result.size(), points.size()) ? result : points;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/observed_part.h"
 #include "primitect/cloud.h"
@@ -28,7 +29,7 @@ class ClearPoints {
   /// All must stay; `labels` are those of the detections, as markFarSides() (far_sides.h) leaves them, `has_far_side`
   /// what it says of each detection; empty: none has one.
   ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-              const std::vector<std::uint32_t>& labels, std::vector<bool> has_far_side, const NoiseModel& noise);
+              const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise);
 
   /// Those of a detection's points (indices in the cloud)
   ///   depth image          with no other label on a ring of eight pixels, as far away as the noise reaches, and not
@@ -36,11 +37,11 @@ class ClearPoints {
   ///   any other cloud      whose place on the surface is far from all other detections, beyond the noise,
   ///                        and whose own normal, if it has one, is about the surface's
   /// all of them where too few would be left.
-  std::vector<std::uint32_t> of(std::size_t detection, const std::vector<std::uint32_t>& points) const;
+  List<std::uint32_t> of(std::size_t detection, const List<std::uint32_t>& points) const;
 
  private:
-  std::vector<std::uint32_t> surrounded(std::uint32_t label, const std::vector<std::uint32_t>& points) const;
-  std::vector<std::uint32_t> apart(std::size_t detection, const std::vector<std::uint32_t>& points) const;
+  List<std::uint32_t> surrounded(std::uint32_t label, const List<std::uint32_t>& points) const;
+  List<std::uint32_t> apart(std::size_t detection, const List<std::uint32_t>& points) const;
 
   const Cloud& cloud_;
   CloudNormals normals_;
@@ -48,9 +49,9 @@ class ClearPoints {
   const std::vector<std::uint32_t>& labels_;
   NoiseModel noise_;
   bool depth_image_;
-  std::vector<bool> has_far_side_;          ///< of each detection; or empty
-  std::vector<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
-  std::vector<ObservedPart> parts_;         ///< the same
+  List<bool> has_far_side_;          ///< of each detection; or empty
+  List<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
+  List<ObservedPart> parts_;         ///< the same
 };
 
 }  // namespace primitect

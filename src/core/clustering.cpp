@@ -5,12 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace primitect {
 
-void sortByVotes(std::vector<Candidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
+void sortByVotes(List<Candidate>& candidates) {
+  // Not std::stable_sort, which takes memory from the heap.
+  List<std::pair<double, std::size_t>> order;
+  order.reserve(candidates.size());
+  for (std::size_t k = 0; k < candidates.size(); ++k) order.emplace_back(-candidates[k].votes, k);
+  std::sort(order.begin(), order.end());
+  List<Candidate> sorted;
+  sorted.reserve(candidates.size());
+  for (const auto& [votes, k] : order) sorted.push_back(candidates[k]);
+  candidates.swap(sorted);
 }
 
 namespace {
@@ -81,9 +90,9 @@ struct Cluster {
   }
 };
 
-void clusterOnce(std::vector<Candidate>& candidates, double distance, double angle, bool average) {
+void clusterOnce(List<Candidate>& candidates, double distance, double angle, bool average) {
   sortByVotes(candidates);
-  std::vector<Cluster> clusters;
+  List<Cluster> clusters;
   for (const Candidate& candidate : candidates) {
     const auto home = std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& cluster) {
       return agrees(candidate, cluster.strongest, distance, angle);
@@ -107,7 +116,7 @@ bool agrees(const Candidate& candidate, const Candidate& other, double max_dista
   return candidate.normal.dot(seenNormalAt(other.shape, other.concave, candidate.point)) > std::cos(max_angle);
 }
 
-void clusterCandidates(std::vector<Candidate>& candidates, const Params& params, double scene_diameter) {
+void clusterCandidates(List<Candidate>& candidates, const Params& params, double scene_diameter) {
   const double distance = params.cluster_distance * scene_diameter;
   const double angle = params.cluster_angle_deg * M_PI / 180.0;
   const bool average = params.clustering == "average";

@@ -3,9 +3,8 @@
 // Merging the candidates of many references that mean the same shape (paper, sec. II-A and "Choice of parameters").
 #pragma once
 
-#include <vector>
-
 #include "core/candidate.h"
+#include "core/frame_memory.h"
 #include "primitect/params.h"
 
 namespace primitect {
@@ -15,10 +14,10 @@ namespace primitect {
 bool agrees(const Candidate& candidate, const Candidate& other, double distance, double angle);
 
 /// Strongest first; equal ones keep their order.
-void sortByVotes(std::vector<Candidate>& candidates);
+void sortByVotes(List<Candidate>& candidates);
 
 /// Merges by weighted average (weights: votes), or keeps the strongest of those that agree (params.clustering = nms).
 /// The result is sorted by votes, strongest first; its votes are the sums. d_s in m.
-void clusterCandidates(std::vector<Candidate>& candidates, const Params& params, double scene_diameter);
+void clusterCandidates(List<Candidate>& candidates, const Params& params, double scene_diameter);
 
 }  // namespace primitect

@@ -4,6 +4,7 @@
 #include "core/competition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/curvature.h"
@@ -26,7 +27,7 @@ bool enabled(Kind kind, const Params& params) {
 
 /// A tube so thin that the edge of a table, rounded by a depth camera, looks the same.
 bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
-  constexpr double kLeastRadius = 8.0;  // standard deviations of the noise
+  constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
   const Cylinder* tube = std::get_if<Cylinder>(&shape);
   return noise.depth_share > 0.0 && tube && tube->radius < kLeastRadius * sigma;
 }
@@ -38,11 +39,11 @@ struct Start {
 };
 
 /// The hypothesis itself, a plane, and every curved kind on every side that is wanted.
-std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& points, const ProposalRules& rules) {
+List<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& points, const ProposalRules& rules) {
   const Params& params = rules.limits.params;
   const Moments moments = momentsOf(points);
   const bool curved = curvesEnough(moments, points.meanSigma(), rules.noise);
-  std::vector<Start> starts;
+  List<Start> starts;
   const auto add = [&](const std::optional<Shape>& shape, bool concave) {
     if (!shape || !enabled(kindOf(*shape), params)) return;
     if (curved || kindOf(*shape) == Kind::plane) starts.push_back({*shape, concave});
@@ -60,10 +61,17 @@ std::vector<Start> startsFor(const Hypothesis& hypothesis, const FitPoints& poin
   return starts;
 }
 
+/// How far the farthest of the set is from there (m).
+double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec3& middle) {
+  double farthest_sq = 0.0;
+  for (const std::uint32_t i : set) farthest_sq = std::max(farthest_sq, (samples.point(i) - middle).squaredNorm());
+  return std::sqrt(farthest_sq);
+}
+
 /// Calls use(trial) with the fit from each start that ends within the limits, and its score; counts those that do not.
 template <class Use>
-int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
-           const ProposalRules& rules, const Hypothesis& hypothesis, const Use& use) {
+int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set, const ProposalRules& rules,
+           const Hypothesis& hypothesis, const Use& use) {
   FitPoints points;
   points.gather({samples, set});
   // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
@@ -72,6 +80,8 @@ int fitAll(const Samples& samples, const HeldGains& held, const std::vector<std:
   const RefineRules refine_rules = {rules.widen, 2, 10, kSmallStep / kInlierDeviations};
   int refused = 0;
   Hypothesis trial;
+  trial.middle = points.middle();
+  trial.reach = reachOf(samples, set, trial.middle);
   for (const Start& start : startsFor(hypothesis, points, rules)) {
     const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
     if (!shape) continue;
@@ -93,7 +103,7 @@ bool Limits::hold(const Shape& shape) const {
   return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape) <= max_radius;
 }
 
-bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
   double best = 0.0;
   const int refused = fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
@@ -101,19 +111,23 @@ bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vecto
     best = trial.score;
     hypothesis.shape = trial.shape;
     hypothesis.concave = trial.concave;
+    hypothesis.middle = trial.middle;
+    hypothesis.reach = trial.reach;
   });
   if (refusals) (*refusals)[Refusal::limits] += refused;
   if (best > 0.0) evaluate(samples, held, 1.0, hypothesis);
   return best > 0.0;
 }
 
-Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                 const ProposalRules& rules, const Hypothesis& hypothesis) {
   constexpr double kClose = 0.05;
   Rival rival;
   Hypothesis own;
   own.shape = hypothesis.shape;
   own.concave = hypothesis.concave;
+  own.middle = hypothesis.middle;
+  own.reach = hypothesis.reach;
   score(samples, held, 1.0, own);
   double best = 0.0;
   fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/hypothesis.h"
 #include "primitect/params.h"
 
@@ -28,7 +28,7 @@ struct ProposalRules {
 };
 
 /// The best of all kinds for these samples; false when none is within the limits or better than nothing.
-bool bestOfKinds(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals = nullptr);
 
 /// Who comes second for the samples of a hypothesis.
@@ -36,7 +36,7 @@ struct Rival {
   std::optional<Kind> kind;  ///< of the best other kind, if its lead is small
   double lead = 1.0;         ///< score of the hypothesis over it, per sample
 };
-Rival bestRival(const Samples& samples, const HeldGains& held, const std::vector<std::uint32_t>& set,
+Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                 const ProposalRules& rules, const Hypothesis& hypothesis);
 
 }  // namespace primitect

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/frame_memory.h"
 #include "kernels/loops.h"
 
 namespace primitect {
@@ -23,7 +24,7 @@ constexpr double kNeighbors = 24.0;
 
 /// Places with weights, filled up to whole lanes with such that weigh nothing.
 struct Places {
-  std::vector<float> x, y, z, weight;
+  List<float> x, y, z, weight;
 
   void add(const Eigen::Vector3f& place, float weight_here) {
     x.push_back(place.x()), y.push_back(place.y()), z.push_back(place.z());
@@ -101,7 +102,7 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 
 /// The convex hull in the plane's own coordinates; of at least one corner.
 struct Outline {
-  std::vector<Vec2> corners;
+  List<Vec2> corners;
 
   bool contains(const Vec2& p) const {
     const Vec2* from = &corners.back();
@@ -134,13 +135,13 @@ std::vector<Vec2> spreadPlaces(std::size_t count) {
 }
 
 /// Points all over the outline.
-std::vector<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+List<Vec2> probesIn(const Outline& outline, const Extent& extent) {
   constexpr std::size_t kMostTimes = 10;
   static const std::vector<Vec2> kPlaces = spreadPlaces(kMostTimes * kProbes);
   const double box = extent.size.x() * extent.size.y();
   const auto draws =
       static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, static_cast<double>(kMostTimes)));
-  std::vector<Vec2> probes;
+  List<Vec2> probes;
   for (std::size_t k = 0; k < draws; ++k) {
     const Vec2 probe = kPlaces[k].cwiseProduct(extent.size.head<2>());
     if (outline.contains(probe)) probes.push_back(probe);
@@ -164,7 +165,7 @@ double coverageOf(const Plane&, const Extent& extent, const SeenPoints& inliers)
   Places points, possible;
   for (std::size_t k = 0; k < some.count; ++k) points.add(raised(flat(some.point(k))), 1.0f);
   points.fillUp();
-  const std::vector<Vec2> probes = probesIn(outline, extent);
+  const List<Vec2> probes = probesIn(outline, extent);
   for (const Vec2& probe : probes) possible.add(raised(probe), 1.0f);
   possible.fillUp();
   const auto reach =
@@ -178,7 +179,7 @@ double coverageOf(const Plane&, const Extent& extent, const SeenPoints& inliers)
 }
 
 /// Sum of the arcs between neighbouring angles that leave no gap.
-double arcOf(std::vector<double> angles) {
+double arcOf(List<double> angles) {
   if (angles.empty()) return 0.0;
   // Random angles leave gaps of a few mean spacings: of 60 all around the widest is 27 deg, one in ten 37.
   const double gap = std::max(15.0 * M_PI / 180.0, 12.0 * M_PI / static_cast<double>(angles.size()));
@@ -196,7 +197,7 @@ double arcOf(std::vector<double> angles) {
 double arcAround(const Extent& extent, const SeenPoints& inliers, double least_radius) {
   const SomePoints<kMostInliers> some(inliers);
   const Vec3 x = extent.rotation.col(0), y = extent.rotation.col(1), offset = some.origin - extent.origin;
-  std::vector<double> angles;
+  List<double> angles;
   angles.reserve(some.count);
   for (std::size_t k = 0; k < some.count; ++k) {
     const Vec3 place = offset + Vec3(some.x[k], some.y[k], some.z[k]);

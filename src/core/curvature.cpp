@@ -18,8 +18,8 @@ Curvature curvatureOf(const Moments& moments, double sigma) {
 bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise) {
   constexpr double kLeastTurn = 0.012, kLeastTurnOfDepth = 0.03;  // arcs of 31 and 49 deg
   constexpr double kLeastBulgeOfDepth = 2.0;
-  // Waves that turn so far (90 deg) would have to be higher than they are; a thin tube does not rise farther.
-  constexpr double kLargeTurn = 0.1, kLeastBulgeOfLargeTurn = 1.5;
+  // Waves that turn so far (63 deg) would have to be higher than they are; a thin tube does not rise farther.
+  constexpr double kLargeTurn = 0.05, kLeastBulgeOfLargeTurn = 1.3;
   if (moments.count == 0) return false;
   const Curvature curvature = curvatureOf(moments, sigma);
   const double normal_noise = noise.angle / kNormalDeviations;

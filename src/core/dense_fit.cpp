@@ -15,17 +15,17 @@
 namespace primitect {
 
 void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
-                    std::vector<LabelledPoints>& points) {
+                    List<LabelledPoints>& points) {
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
-  std::vector<LabelRun> runs;
+  List<LabelRun> runs;
   runs.reserve(labels.size() / kLabelsAtOnce);
   forLabelRuns(labels, [&](const LabelRun& run) {
     if (run.label > count) return;
     points[run.label - 1].all += run.end - run.begin;
     runs.push_back(run);
   });
-  std::vector<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
+  List<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
   for (const LabelRun& run : runs) {
     LabelledPoints& of_label = points[run.label - 1];
     const std::size_t step = of_label.all / most + 1;
@@ -38,7 +38,7 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
 namespace {
 
 /// Share of the points that a cone must explain beyond a cylinder.
-constexpr double kConePrice = 0.005;
+constexpr double kConePrice = 0.003;
 
 /// Sum of 1 - (distance / tolerance)^2 over the points within the tolerance.
 double fitOf(const Shape& shape, const FitPoints& points) {
@@ -60,27 +60,47 @@ double fitOf(const Shape& shape, const FitPoints& points) {
   return sum;
 }
 
-/// Slightly tapered either way: where the search for a cone on a cylinder's points begins.
-std::vector<Shape> tapered(const Cylinder& cylinder, const Vec3& middle) {
+/// The line of a surface that the points lie around, and the surface there.
+struct SeenLine {
+  Vec3 point, direction, outward;  ///< direction and outward normal of length 1
+  double radius;                   ///< m, of the curvature across the line
+};
+
+/// Cones that touch the surface along the line and curve as it does, slightly tapered either way: where the search for
+/// a cone on a cylinder's points begins. About the cylinder's own axis they would lie askew to all that was seen.
+List<Shape> tapered(const SeenLine& line) {
   constexpr double kTaper = 0.1;  // rad
-  const Vec3 center = cylinder.point + (middle - cylinder.point).dot(cylinder.axis) * cylinder.axis;
-  const Vec3 to_apex = cylinder.radius / std::tan(kTaper) * cylinder.axis;
-  return {Cone{center - to_apex, cylinder.axis, kTaper}, Cone{center + to_apex, -cylinder.axis, kTaper}};
+  List<Shape> cones;
+  for (const double way : {-1.0, 1.0}) {
+    const Vec3 opening = way * line.direction;
+    const Vec3 apex = line.point - line.radius / std::tan(kTaper) * opening;
+    cones.push_back(Cone{apex, std::cos(kTaper) * opening - std::sin(kTaper) * line.outward, kTaper});
+  }
+  return cones;
 }
 
-/// A cone's points as those of a cylinder.
+SeenLine seenLine(const Cylinder& cylinder, const Vec3& middle) {
+  const Vec3 foot = cylinder.point + (middle - cylinder.point).dot(cylinder.axis) * cylinder.axis;
+  const Vec3 outward = normalAt(cylinder, middle);
+  return {foot + cylinder.radius * outward, cylinder.axis, outward, cylinder.radius};
+}
+
+/// The cylinder that touches a cone along the line that its points lie around.
 Shape straightened(const Cone& cone, const Vec3& middle) {
-  const double height = (middle - cone.apex).dot(cone.axis);
-  return Cylinder{cone.apex + height * cone.axis, cone.axis, height * std::tan(cone.half_angle)};
+  const Vec3 outward = normalAt(cone, middle);
+  const Vec3 point = middle - distance(cone, middle) * outward;
+  const Vec3 along = (point - cone.apex).normalized();
+  const double radius = (point - cone.apex).norm() * std::tan(cone.half_angle);
+  return Cylinder{point - radius * outward, along, radius};
 }
 
 }  // namespace
 
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
-  std::vector<Shape> starts = {shape};
+  List<Shape> starts = {shape};
   const Vec3 middle = points.middle();
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    for (const Shape& cone : tapered(*cylinder, middle)) starts.push_back(cone);
+    for (const Shape& cone : tapered(seenLine(*cylinder, middle))) starts.push_back(cone);
   }
   if (const Cone* cone = std::get_if<Cone>(&shape)) starts.push_back(straightened(*cone, middle));
   Shape best = shape;

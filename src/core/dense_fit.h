@@ -8,6 +8,7 @@
 
 #include "core/competition.h"
 #include "core/fit_points.h"
+#include "core/frame_memory.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -15,13 +16,13 @@ namespace primitect {
 
 /// Points of one label.
 struct LabelledPoints {
-  std::vector<std::uint32_t> index;  ///< in the cloud, at most as many as asked for, evenly taken
-  std::size_t all = 0;               ///< how many carry the label
+  List<std::uint32_t> index;  ///< in the cloud, at most as many as asked for, evenly taken
+  std::size_t all = 0;        ///< how many carry the label
 };
 
 /// Points of the labels 1 to `count`, at most `most` of each; other labels are none.
 void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
-                    std::vector<LabelledPoints>& points);
+                    List<LabelledPoints>& points);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many
 /// points a cylinder and a cone that tapers little can be told apart: both are tried for either.

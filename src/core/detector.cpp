@@ -37,15 +37,18 @@ Detector& Detector::operator=(Detector&&) noexcept = default;
 
 const Params& Detector::params() const { return work_->params; }
 
+const Detections& Detector::result() const { return work_->result; }
+
 SampleView Detector::samples() const {
   const Samples& s = work_->allSamples();
-  return {s.x, s.y, s.z, s.nx, s.ny, s.nz};
+  return {s.x.data(), s.y.data(), s.z.data(), s.nx.data(), s.ny.data(), s.nz.data(), s.size()};
 }
 
 void Detector::onStageDone(std::function<void(const char*)> callback) { work_->stage_done = std::move(callback); }
 
 const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
   Workspace& w = *work_;
+  const FrameMemoryScope scope(&w.memory);
   w.begin(cloud, checked(effort));
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
     if (round > 0 && w.outOfTime()) break;
@@ -64,6 +67,7 @@ const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
 }
 
 void Detector::label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
+  const FrameMemoryScope scope(&work_->memory);
   labelPoints(cloud, work_->result.items, work_->tolerance, labels);
   if (work_->tolerance.noise.depth_share > 0.0) dropFarSides(cloud, work_->result.items, labels);
 }

@@ -29,8 +29,8 @@ struct Border {
   bool runs_on = false, runs_into = false;
 };
 
-Border borderAt(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
-                std::uint32_t self, std::uint32_t i) {
+Border borderAt(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner, std::uint32_t self,
+                std::uint32_t i) {
   Border border;
   for (const std::uint32_t j : graph.of(i)) {
     if (owner[j] == self || !continuous(samples, i, j)) continue;
@@ -57,7 +57,7 @@ Features featuresOf(Kind kind, const Evidence& e) {
 // Printed by eval/calibrate; a row a kind. How far a shape runs on into nothing known tells no more than what is
 // against it; nor does the residual along the border.
 constexpr std::array<Features, kKindCount> kWeights = {{
-    {{-7.34, 0.877, 8.82, -6.38, -2.25, 0, 0}},        // plane
+    {{-5.68, 0.922, 6.78, -10.4, -2.34, 0, 0}},        // plane
     {{-5.9, 0.0827, 7.92, -22.6, -4.69, 15.2, 1.29}},  // sphere
     {{-16.3, 2.03, 0, -4.64, -1.61, 12.1, 8.9}},       // cylinder
     {{-6.53, 1.12, 4.09, -15, -6, 6, 3.74}},           // cone
@@ -65,7 +65,7 @@ constexpr std::array<Features, kKindCount> kWeights = {{
 
 }  // namespace
 
-Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
+Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
                         std::uint32_t self, const Hypothesis& hypothesis) {
   double inliers = 0.0, gain = 0.0, against = 0.0, open = 0.0, shared = 0.0, border = 0.0, residuals = 0.0;
   Vec3 normals = Vec3::Zero();

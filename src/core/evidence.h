@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/hypothesis.h"
 #include "core/sample_graph.h"
 #include "primitect/evidence.h"
@@ -13,7 +13,7 @@
 namespace primitect {
 
 /// Evidence for hypothesis `self` of a selection with these owners of the samples. All but `lead`.
-Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const std::vector<std::uint32_t>& owner,
+Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
                         std::uint32_t self, const Hypothesis& hypothesis);
 
 /// Probability that the shape is there and of this kind, [0, 1]: logistic regression over the evidence of detections in

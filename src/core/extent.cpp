@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/frame_memory.h"
+
 namespace primitect {
 namespace {
 
@@ -30,7 +32,7 @@ double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 /// Points that a hull has as corners, and few others: those that do not lie within the octagon of the outermost.
-std::vector<Vec2> outermost(const std::vector<Vec2>& points) {
+List<Vec2> outermost(const List<Vec2>& points) {
   constexpr std::size_t kDirections = 8;
   // As they come around the hull: the octagon is counter-clockwise.
   const Vec2 directions[kDirections] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
@@ -42,12 +44,12 @@ std::vector<Vec2> outermost(const std::vector<Vec2>& points) {
       if (far > farthest) farthest = far, corners[k] = p;
     }
   }
-  std::vector<std::pair<Vec2, Vec2>> sides;
+  List<std::pair<Vec2, Vec2>> sides;
   for (std::size_t k = 0; k < kDirections; ++k) {
     const Vec2& next = corners[(k + 1) % kDirections];
     if (next != corners[k]) sides.emplace_back(corners[k], next);
   }
-  std::vector<Vec2> outer;
+  List<Vec2> outer;
   for (const Vec2& p : points) {
     const auto behind = [&p](const auto& side) { return !(cross(side.first, side.second, p) > 0.0); };
     if (std::any_of(sides.begin(), sides.end(), behind)) outer.push_back(p);
@@ -57,12 +59,12 @@ std::vector<Vec2> outermost(const std::vector<Vec2>& points) {
 
 /// Convex hull, counter-clockwise (monotone chain, Andrew 1979), without corners that stand out by less than `flat`
 /// (m).
-std::vector<Vec2> convexHull(const std::vector<Vec2>& all, double flat) {
-  std::vector<Vec2> points = outermost(all);
+List<Vec2> convexHull(const List<Vec2>& all, double flat) {
+  List<Vec2> points = outermost(all);
   if (points.size() < 3) return points;
   std::sort(points.begin(), points.end(),
             [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  std::vector<Vec2> hull;
+  List<Vec2> hull;
   const auto standsOut = [flat](const Vec2& a, const Vec2& b, const Vec2& c) {
     return cross(a, b, c) > flat * (c - a).norm();
   };
@@ -108,7 +110,7 @@ Vec3 meanOf(const SomePoints<most>& points) {
 
 /// The points in the frame of a plane (m, from the origin of the points).
 struct FlatPoints {
-  std::vector<float> u, v;
+  List<float> u, v;
 
   FlatPoints(const SeenPoints& points, const Eigen::Matrix3d& rotation) : u(points.size()), v(points.size()) {
     const Eigen::Vector3f x = rotation.col(0).cast<float>(), y = rotation.col(1).cast<float>();
@@ -124,7 +126,7 @@ struct FlatPoints {
 struct FloatRange {
   float low, high;
 
-  explicit FloatRange(const std::vector<float>& values) {
+  explicit FloatRange(const List<float>& values) {
     constexpr std::size_t kLanes = 8;
     float least[kLanes], most[kLanes];
     std::fill_n(least, kLanes, values.front()), std::fill_n(most, kLanes, values.front());
@@ -166,29 +168,30 @@ class Cells {
     }
   }
 
-  /// Leaves the cells that touch each other and hold most points.
-  void keepLargestPart() {
-    std::vector<int> part(counts_.size(), 0), open;
-    int parts = 0, largest = 0;
-    int most = 0;
+  /// Leaves the parts, of cells that touch each other, which hold at least this share of what the largest part holds.
+  void keepParts(double share) {
+    List<int> part(counts_.size(), 0), open;
+    List<int> held(1, 0);  // by each part, from 1 on
     for (std::size_t first = 0; first < counts_.size(); ++first) {
       if (counts_[first] == 0 || part[first] != 0) continue;
-      const int held = fill(static_cast<int>(first), ++parts, part, open);
-      if (held > most) most = held, largest = parts;
+      held.push_back(fill(static_cast<int>(first), static_cast<int>(held.size()), part, open));
     }
-    for (std::size_t k = 0; k < counts_.size(); ++k) counts_[k] = part[k] == largest ? counts_[k] : 0;
+    const double least = share * *std::max_element(held.begin(), held.end());
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      if (held[static_cast<std::size_t>(part[k])] < least) counts_[k] = 0;
+    }
   }
 
   /// Points that may be corners of the hull of all that are left. None of a cell whose four diagonal neighbours hold
   /// points is one: in whatever direction, one of these lies farther out.
-  std::vector<Vec2> border(const FlatPoints& points) const {
-    std::vector<char> at_border(counts_.size(), 0);
+  List<Vec2> border(const FlatPoints& points) const {
+    List<char> at_border(counts_.size(), 0);
     for (int k = columns_ + 1; k + columns_ + 1 < static_cast<int>(counts_.size()); ++k) {
       const bool amid =
           count(k - columns_ - 1) && count(k - columns_ + 1) && count(k + columns_ - 1) && count(k + columns_ + 1);
       at_border[static_cast<std::size_t>(k)] = count(k) > 0 && !amid;
     }
-    std::vector<Vec2> result;
+    List<Vec2> result;
     for (std::size_t i = 0; i < cell_of_.size(); ++i) {
       if (at_border[static_cast<std::size_t>(cell_of_[i])]) result.push_back(points.at(i));
     }
@@ -198,7 +201,7 @@ class Cells {
  private:
   int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
 
-  int fill(int first, int number, std::vector<int>& part, std::vector<int>& open) const {
+  int fill(int first, int number, List<int>& part, List<int>& open) const {
     int held = 0;
     open.assign(1, first);
     part[static_cast<std::size_t>(first)] = number;
@@ -217,21 +220,22 @@ class Cells {
   }
 
   int columns_ = 0, rows_ = 0;
-  std::vector<int> counts_;
-  std::vector<int> cell_of_;  ///< of each point
+  List<int> counts_;
+  List<int> cell_of_;  ///< of each point
 };
 
-/// Points of other objects that happen to lie in the plane do not stretch the outline: cells of three mean spacings
-/// that touch belong together, and the part counts that holds most points.
-Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
+/// The outline is around all large parts: something in front may hide what lies between them. A few points of other
+/// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
+Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>&& outline) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
   Extent extent;
   extent.rotation = frameAround(plane.normal, longestDirection(some, mean, plane.normal));
   const FlatPoints flat(inliers, extent.rotation);
   Cells cells(flat);
-  cells.keepLargestPart();
-  const std::vector<Vec2> border = cells.border(flat);
+  constexpr double kLeastPart = 0.2;
+  cells.keepParts(kLeastPart);
+  const List<Vec2> border = cells.border(flat);
   Vec2 low = border.front(), high = border.front();
   for (const Vec2& point : border) {
     low = low.cwiseMin(point);
@@ -242,13 +246,15 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers) {
   extent.size.head<2>() = high - low;
   // A millimetre of a metre: less than the noise at a border, and half the corners.
   constexpr double kFlat = 1e-3;
+  extent.hull = std::move(outline);
+  extent.hull.clear();
   for (const Vec2& corner : convexHull(border, kFlat * extent.size.norm())) {
     extent.hull.push_back(foot + extent.rotation.leftCols<2>() * corner);
   }
   return extent;
 }
 
-Extent extentOf(const Sphere& sphere, const SeenPoints&) {
+Extent extentOf(const Sphere& sphere, const SeenPoints&, std::vector<Vec3>&&) {
   Extent extent;
   extent.origin = sphere.center;
   extent.radius = sphere.radius;
@@ -282,7 +288,7 @@ Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const 
   return frameAround(axis, meanOf(inliers) - point);
 }
 
-Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers) {
+Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, std::vector<Vec3>&&) {
   const SomePoints<kMostPoints> some(inliers);
   const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some);
   Extent extent;
@@ -293,7 +299,7 @@ Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers) {
   return extent;
 }
 
-Extent extentOf(const Cone& cone, const SeenPoints& inliers) {
+Extent extentOf(const Cone& cone, const SeenPoints& inliers, std::vector<Vec3>&&) {
   const SomePoints<kMostPoints> some(inliers);
   AxisRange range = rangeAlong(cone.apex, cone.axis, some);
   range.low = std::max(range.low, 0.0);
@@ -316,9 +322,9 @@ bool pointsUp(const Vec3& axis) {
 
 }  // namespace
 
-Extent measureExtent(const Shape& shape, const SeenPoints& inliers) {
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {
   if (inliers.empty()) return {};
-  return std::visit([&inliers](const auto& s) { return extentOf(s, inliers); }, shape);
+  return std::visit([&](const auto& s) { return extentOf(s, inliers, std::move(outline)); }, shape);
 }
 
 Shape canonical(const Shape& shape) {

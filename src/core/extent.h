@@ -3,14 +3,16 @@
 // The part of a shape that was seen, from its inliers.
 #pragma once
 
+#include <vector>
+
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
 
 /// Extent of the part where the inliers lie (m). A few stragglers do not stretch it: along an axis the outer 1 % at
-/// either end are left out.
-Extent measureExtent(const Shape& shape, const SeenPoints& inliers);
+/// either end are left out. outline: whose memory a plane's hull is to have.
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline = {});
 
 /// The same shape with a sign of its axis that does not flip from frame to frame: a cylinder's points up in the image
 /// (y < 0, else x > 0, else z > 0).

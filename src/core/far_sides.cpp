@@ -33,11 +33,11 @@ void forFarSide(const Cloud& cloud, const kernels::FlatShape& shape, bool concav
 
 }  // namespace
 
-std::vector<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
-                               std::vector<std::uint32_t>& labels) {
-  std::vector<kernels::FlatShape> shapes;
+List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+                        std::vector<std::uint32_t>& labels) {
+  List<kernels::FlatShape> shapes;
   for (const Detection& detection : detections) shapes.push_back(flattened(detection.shape, Vec3::Zero()));
-  std::vector<bool> found(detections.size(), false);
+  List<bool> found(detections.size(), false);
   forLabelRuns(labels, [&](const LabelRun& run) {
     const std::size_t k = run.label - 1;
     if (kindOf(detections[k].shape) == Kind::plane) return;

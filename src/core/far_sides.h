@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/frame_memory.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -16,8 +17,8 @@ constexpr std::uint32_t kFarSide = 1u << 31;
 
 /// Marks points of curved shapes, labelled by index + 1 of their detection, that lie on the side which a camera at the
 /// origin cannot see: a wall as thin as the noise is seen from inside there. Returns which detections have such points.
-std::vector<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
-                               std::vector<std::uint32_t>& labels);
+List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+                        std::vector<std::uint32_t>& labels);
 
 /// Takes their labels from these points.
 void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, std::vector<std::uint32_t>& labels);

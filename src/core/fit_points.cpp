@@ -38,7 +38,7 @@ std::array<float, 3> meanOf(const SampleSet& set) {
 template <class ToleranceOf>
 void FitPoints::gatherWith(const SampleSet& set, const ToleranceOf& tolerance) {
   const std::size_t most = wholeLanes(set.size());
-  for (std::vector<float>* values : {&x_, &y_, &z_, &nx_, &ny_, &nz_, &once_}) values->assign(most, 0.0f);
+  for (List<float>* values : {&x_, &y_, &z_, &nx_, &ny_, &nz_, &once_}) values->assign(most, 0.0f);
   inverse_tolerance_.assign(most, kNoWeight);
   const std::array<float, 3> origin = meanOf(set);
   origin_ = middle_ = Vec3(origin[0], origin[1], origin[2]);
@@ -69,11 +69,11 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
   size_ = seen.size();
   origin_ = seen.origin;
   x_ = seen.x, y_ = seen.y, z_ = seen.z;
-  const auto mean = [](const std::vector<float>& values) {
+  const auto mean = [](const List<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   };
   middle_ = origin_ + Vec3(mean(x_), mean(y_), mean(z_));
-  for (std::vector<float>* values : {&nx_, &ny_, &nz_, &once_}) values->clear();
+  for (List<float>* values : {&nx_, &ny_, &nz_, &once_}) values->clear();
   const kernels::FlatTolerance tolerance = flattened(noise, kInlierDeviations);
   const auto origin = static_cast<float>(origin_.z());
   inverse_tolerance_.resize(size_);
@@ -87,7 +87,7 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
   }
   mean_sigma_ = tolerances / (kInlierDeviations * static_cast<double>(size_));
   const std::size_t filled = wholeLanes(size_);
-  for (std::vector<float>* values : {&x_, &y_, &z_}) values->resize(filled, 0.0f);
+  for (List<float>* values : {&x_, &y_, &z_}) values->resize(filled, 0.0f);
   inverse_tolerance_.resize(filled, kNoWeight);
 }
 

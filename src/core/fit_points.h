@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/samples.h"
 #include "core/seen_points.h"
@@ -18,7 +18,7 @@ namespace primitect {
 /// Some of the samples, by index.
 struct SampleSet {
   const Samples& samples;
-  const std::vector<std::uint32_t>& indices;
+  const List<std::uint32_t>& indices;
 
   std::size_t size() const { return indices.size(); }
   Vec3 point(std::size_t k) const { return samples.point(indices[k]); }
@@ -51,8 +51,8 @@ class FitPoints {
   std::size_t size_ = 0;
   Vec3 origin_ = Vec3::Zero(), middle_ = Vec3::Zero();
   double mean_sigma_ = 0.0;
-  std::vector<float> x_, y_, z_, nx_, ny_, nz_, inverse_tolerance_;
-  std::vector<float> once_;  ///< 1 for each point, 0 for what fills up
+  List<float> x_, y_, z_, nx_, ny_, nz_, inverse_tolerance_;
+  List<float> once_;  ///< 1 for each point, 0 for what fills up
 };
 
 }  // namespace primitect

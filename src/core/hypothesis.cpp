@@ -34,7 +34,7 @@ void forGains(const Samples& samples, const HeldGains& held, double widen, float
 }
 
 /// Takes the gains of a block of samples into the support.
-void take(const BlockGains& gains, const SampleBlock& block, std::vector<Support>& support) {
+void take(const BlockGains& gains, const SampleBlock& block, List<Support>& support) {
   std::array<Support, SampleBlocks::kSize> taken;
   std::size_t count = 0;
   for (std::size_t i = block.begin; i < block.end; ++i) {
@@ -51,7 +51,11 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
   hypothesis.inliers = 0;
   hypothesis.gain_sum = 0.0;
   double counted = 0.0;
+  const Eigen::Vector3f middle = hypothesis.middle.cast<float>();
+  const auto reach = static_cast<float>(hypothesis.reach);
   const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const BlockGains& gains) {
+    // Something else that only happens to lie in its continuation.
+    if (sums.counted < 0.0 && !samples.blocks.reaches(block, middle, reach)) return;
     hypothesis.inliers += sums.inliers;
     hypothesis.gain_sum += sums.positive;
     counted += sums.counted;
@@ -85,7 +89,7 @@ void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypot
 }
 
 void inliersAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
-                   const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers) {
+                   const Hypothesis& hypothesis, List<std::uint32_t>& inliers) {
   const Eigen::Vector3f center = point.cast<float>();
   const auto radius = static_cast<float>(reach);
   const auto within = [&](const SampleBlock& block) { return samples.blocks.reaches(block, center, radius); };
@@ -115,8 +119,8 @@ void hold(const Hypothesis& hypothesis, HeldGains& held) {
   }
 }
 
-void withhold(const std::vector<std::uint32_t>& samples, Hypothesis& hypothesis) {
-  std::vector<Support>& support = hypothesis.support;
+void withhold(const List<std::uint32_t>& samples, Hypothesis& hypothesis) {
+  List<Support>& support = hypothesis.support;
   const auto among = [&samples](const Support& at) {
     return std::binary_search(samples.begin(), samples.end(), at.sample);
   };
@@ -130,7 +134,7 @@ void withhold(const std::vector<std::uint32_t>& samples, Hypothesis& hypothesis)
   }
 }
 
-void inliersOf(const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers) {
+void inliersOf(const Hypothesis& hypothesis, List<std::uint32_t>& inliers) {
   inliers.clear();
   for (const Support& support : hypothesis.support) {
     if (support.gain > 0.0f) inliers.push_back(support.sample);

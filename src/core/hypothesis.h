@@ -4,8 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <limits>
 
+#include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/samples.h"
 #include "primitect/primitives.h"
@@ -20,27 +21,31 @@ struct Support {
 };
 
 struct Hypothesis {
+  static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
   Shape shape;
   bool concave = false;
-  double votes = 0.0;                 ///< of the candidate that proposed it
-  std::vector<Support> support;       ///< in the order of the samples
-  double score = 0.0;                 ///< sum of the gains less the price of the shape's parameters
-  double gain_sum = 0.0;              ///< of the gains above 0
-  std::size_t inliers = 0;            ///< samples with a gain above 0
-  std::vector<std::uint64_t> blocks;  ///< bits: in which blocks of samples there is support
+  double votes = 0.0;          ///< of the candidate that proposed it
+  Vec3 middle = Vec3::Zero();  ///< of the samples that it was fitted to
+  double reach = kAnywhere;    ///< m, how far from there these are
+  List<Support> support;       ///< in the order of the samples
+  double score = 0.0;          ///< sum of the gains less the price of the shape's parameters
+  double gain_sum = 0.0;       ///< of the gains above 0
+  std::size_t inliers = 0;     ///< samples with a gain above 0
+  List<std::uint64_t> blocks;  ///< bits: in which blocks of samples there is support
 };
 
 /// False when they have no sample in common.
 bool mayOverlap(const Hypothesis& a, const Hypothesis& b);
 
 /// The best gain that any hypothesis has at each sample; nothing yet: 0.
-using HeldGains = std::vector<float>;
+using HeldGains = List<float>;
 
 /// A sample with this gain needs no better explanation.
 using kernels::kWellExplained;
 
-/// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it. widen:
-/// times the noise, for a shape that is not fitted yet.
+/// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it, nor do
+/// those beyond its reach: the shape ends before. widen: times the noise, for a shape that is not fitted yet.
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 
 /// Fills support and blocks, too.
@@ -48,18 +53,18 @@ void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypot
 
 /// Indices of the samples within reach (m) of a point that the shape of the hypothesis has a gain above 0 at.
 void inliersAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
-                   const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers);
+                   const Hypothesis& hypothesis, List<std::uint32_t>& inliers);
 
 /// Takes the gains of the hypothesis into those held.
 void hold(const Hypothesis& hypothesis, HeldGains& held);
 
 /// Takes these samples (rising indices) from the support; the score stays.
-void withhold(const std::vector<std::uint32_t>& samples, Hypothesis& hypothesis);
+void withhold(const List<std::uint32_t>& samples, Hypothesis& hypothesis);
 
 /// Score that a shape with so many inliers pays for its parameters: a plane has three, a cone six.
 double priceOf(Kind kind, double inliers);
 
 /// Samples with a gain above 0.
-void inliersOf(const Hypothesis& hypothesis, std::vector<std::uint32_t>& inliers);
+void inliersOf(const Hypothesis& hypothesis, List<std::uint32_t>& inliers);
 
 }  // namespace primitect

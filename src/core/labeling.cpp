@@ -36,7 +36,7 @@ void Labeling::begin(const Cloud& cloud) {
 /// The most that a point of a run may be away: what is allowed has no maximum between two depths.
 void Labeling::findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance) {
   const std::size_t count = runs.size();
-  for (std::vector<float>* values : {&distance_, &depth_, &allowed_}) values->resize(count);
+  for (List<float>* values : {&distance_, &depth_, &allowed_}) values->resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     distance_[k] = runs.z[k] - runs.radius[k], depth_[k] = runs.z[k] + runs.radius[k];
   }
@@ -133,7 +133,7 @@ void Labeling::label(const std::vector<Detection>& detections, const Tolerance& 
 }
 
 void Labeling::findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance,
-                               const PointRuns& runs, std::vector<std::uint64_t>& unexplained) {
+                               const PointRuns& runs, List<std::uint64_t>& unexplained) {
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   unexplained.resize(runs.size());
   prepare(detections, runs, flat);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/frame_memory.h"
 #include "core/observed_part.h"
 #include "core/point_runs.h"
 #include "core/tolerance.h"
@@ -35,7 +36,7 @@ class Labeling {
   /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
   /// any.
   void findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
-                       std::vector<std::uint64_t>& unexplained);
+                       List<std::uint64_t>& unexplained);
 
  private:
   struct Target {
@@ -55,11 +56,11 @@ class Labeling {
 
   const Cloud* cloud_ = nullptr;
   PointRuns all_, some_;
-  std::vector<float> distance_, depth_, allowed_;  ///< of the balls around some runs (m)
-  std::vector<Target> targets_;                    ///< of each detection
-  std::vector<std::uint32_t> near_, border_;  ///< bits of the targets that a run is near to, and near the border of
-  std::vector<kernels::LabelTarget> of_run_;  ///< what one run is near to
-  std::vector<kernels::FlatSide> sides_;      ///< of a part near a run
+  List<float> distance_, depth_, allowed_;  ///< of the balls around some runs (m)
+  List<Target> targets_;                    ///< of each detection
+  List<std::uint32_t> near_, border_;       ///< bits of the targets that a run is near to, and near the border of
+  List<kernels::LabelTarget> of_run_;       ///< what one run is near to
+  List<kernels::FlatSide> sides_;           ///< of a part near a run
 };
 
 /// The same for a cloud that is labelled once.

@@ -16,7 +16,7 @@ std::size_t roundUp(std::size_t count, std::size_t unit) { return (count + unit 
 
 void LeafTree::BoxList::resize(std::size_t count) {
   for (auto* corners : {&low, &high}) {
-    for (std::vector<float>& values : *corners) values.resize(count, kernels::kFarAway);
+    for (List<float>& values : *corners) values.resize(count, kernels::kFarAway);
   }
 }
 
@@ -35,7 +35,7 @@ kernels::LeafTree LeafTree::view() const {
 }
 
 void LeafTree::clear() {
-  for (std::vector<double>* values : {&x_, &y_, &z_}) values->clear();
+  for (List<double>* values : {&x_, &y_, &z_}) values->clear();
   sample_.clear();
   batches_.clear();
   for (BoxList* boxes : {&leaf_boxes_, &node_boxes_}) boxes->resize(0);
@@ -44,7 +44,7 @@ void LeafTree::clear() {
 /// Bit by bit: a sample has no NaN.
 bool LeafTree::holds(const Batch& batch, const Samples& samples) const {
   if (batch.end_sample > samples.size()) return false;
-  const auto same = [&](const std::vector<double>& known, const std::vector<float>& now) {
+  const auto same = [&](const List<double>& known, const List<float>& now) {
     return std::equal(now.begin() + batch.first_sample, now.begin() + batch.end_sample,
                       known.begin() + batch.first_leaf * kLeafSize);
   };
@@ -67,8 +67,8 @@ void LeafTree::append(const Samples& samples, std::size_t first) {
   node_boxes_.resize(roundUp(end_leaf / kLanes, kLanes));
   sample_.resize(end_leaf * kLeafSize, 0);
   for (std::size_t i = 0; i < count; ++i) sample_[first_place + i] = static_cast<std::uint32_t>(first + i);
-  const std::vector<float>* const from[3] = {&samples.x, &samples.y, &samples.z};
-  std::vector<double>* const to[3] = {&x_, &y_, &z_};
+  const List<float>* const from[3] = {&samples.x, &samples.y, &samples.z};
+  List<double>* const to[3] = {&x_, &y_, &z_};
   for (int axis = 0; axis < 3; ++axis) {
     to[axis]->resize(end_leaf * kLeafSize, kernels::kFarAway);
     for (std::size_t i = 0; i < count; ++i) {

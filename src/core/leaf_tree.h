@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/samples.h"
 #include "kernels/loops.h"
 
@@ -34,7 +34,7 @@ class LeafTree {
   /// already. Returns how many leaves it kept.
   std::size_t update(const Samples& samples);
 
-  const std::vector<Batch>& batches() const { return batches_; }
+  const List<Batch>& batches() const { return batches_; }
   std::size_t leaves() const { return x_.size() / kernels::kLeafSize; }
   /// The sample at a place of a leaf, counted over all leaves.
   std::uint32_t sampleAt(std::size_t place) const { return sample_[place]; }
@@ -42,7 +42,7 @@ class LeafTree {
 
  private:
   struct BoxList {
-    std::array<std::vector<float>, 3> low, high;
+    std::array<List<float>, 3> low, high;
 
     void resize(std::size_t count);
     std::size_t size() const { return low[0].size(); }
@@ -54,10 +54,10 @@ class LeafTree {
   bool holds(const Batch& batch, const Samples& samples) const;
   void append(const Samples& samples, std::size_t first);
 
-  std::vector<double> x_, y_, z_;      ///< of the places
-  std::vector<std::uint32_t> sample_;  ///< of the places
+  List<double> x_, y_, z_;      ///< of the places
+  List<std::uint32_t> sample_;  ///< of the places
   BoxList leaf_boxes_, node_boxes_;
-  std::vector<Batch> batches_;
+  List<Batch> batches_;
 };
 
 }  // namespace primitect

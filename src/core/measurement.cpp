@@ -4,12 +4,14 @@
 #include "core/measurement.h"
 
 #include <optional>
+#include <utility>
 
 #include "core/bias.h"
 #include "core/covariance.h"
 #include "core/coverage.h"
 #include "core/extent.h"
 #include "core/fitting.h"
+#include "core/seen_share.h"
 #include "core/shared_noise.h"
 
 namespace primitect {
@@ -23,7 +25,12 @@ DepthRange rangeOf(const Params& params) {
 
 Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
                          const Limits& limits)
-    : cloud_(cloud), noise_(noise), limits_(limits), sigma_(noise), truncation_(cloud, rays, rangeOf(params), sigma_) {}
+    : cloud_(cloud),
+      rays_(rays),
+      noise_(noise),
+      limits_(limits),
+      sigma_(noise),
+      truncation_(cloud, rays, rangeOf(params), sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape) {
   Shape start = shape;
@@ -43,23 +50,21 @@ Shape Measurement::fitted(const Shape& shape) {
   return rmsDistance(last, points_) <= kWorse * rmsDistance(start, points_) ? last : start;
 }
 
-Detection Measurement::of(const Detection& detection, const LabelledPoints& labelled,
-                          const std::vector<std::uint32_t>& clear) {
+void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection) {
   points_.gather(cloud_, labelled.index);
   clear_.gather(cloud_, clear);
-  Detection measured = detection;
-  measured.shape = canonical(fitted(detection.shape));
-  measured.extent = measureExtent(measured.shape, points_);
-  measured.inlier_count = static_cast<std::uint32_t>(labelled.all);
-  measured.rms_error = rmsDistance(measured.shape, points_);
-  measured.coverage = measureCoverage(measured.shape, measured.extent, points_);
-  measured.truncated = truncation_.find(measured.shape, measured.extent, labelled.index);
-  const double shared = measureSharedNoise(measured.shape, clear_, sigma_);
-  const Uncertainty uncertainty = measureUncertainty(measured.shape, measured.extent, clear_, sigma_, shared);
-  measured.covariance = uncertainty.pose;
-  measured.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
-  measured.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
-  return measured;
+  detection.shape = canonical(fitted(detection.shape));
+  detection.extent = measureExtent(detection.shape, points_, std::move(detection.extent.hull));
+  detection.inlier_count = static_cast<std::uint32_t>(labelled.all);
+  detection.rms_error = rmsDistance(detection.shape, points_);
+  detection.coverage = measureCoverage(detection.shape, detection.extent, points_);
+  detection.confidence *= static_cast<float>(trustIn(seenShare(detection, labelled.index, cloud_, rays_, sigma_)));
+  detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
+  const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
+  const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
+  detection.covariance = uncertainty.pose;
+  detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
+  detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
 }
 
 }  // namespace primitect

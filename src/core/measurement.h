@@ -6,6 +6,7 @@
 #include "core/competition.h"
 #include "core/dense_fit.h"
 #include "core/fit_points.h"
+#include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/point_noise.h"
 #include "core/seen_points.h"
@@ -22,14 +23,15 @@ class Measurement {
   Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
               const Limits& limits);
 
-  /// The detection with its shape fitted to the clear ones of its points (clear_points.h), and all that follows from
-  /// the fit.
-  Detection of(const Detection& detection, const LabelledPoints& labelled, const std::vector<std::uint32_t>& clear);
+  /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
+  /// the fit. Where the surface is not seen although it should be (seen_share.h), confidence goes down.
+  void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection);
 
  private:
   Shape fitted(const Shape& shape);
 
   const Cloud& cloud_;
+  ImageRays rays_;
   NoiseModel noise_;
   Limits limits_;
   PointNoise sigma_;

@@ -11,7 +11,7 @@ namespace primitect {
 
 struct NeighborSearch::Tree {
   pcl::KdTreeFLANN<pcl::PointXYZ> search{false};
-  std::vector<std::uint32_t> cloud_index;
+  List<std::uint32_t> cloud_index;
   pcl::Indices found;
   std::vector<float> distances_sq;
 };
@@ -29,8 +29,7 @@ NeighborSearch::NeighborSearch(const Cloud& cloud) : tree_(std::make_unique<Tree
 
 NeighborSearch::~NeighborSearch() = default;
 
-void NeighborSearch::nearest(const Cloud& cloud, std::uint32_t point, int count,
-                             std::vector<std::uint32_t>& neighbors) {
+void NeighborSearch::nearest(const Cloud& cloud, std::uint32_t point, int count, List<std::uint32_t>& neighbors) {
   neighbors.clear();
   if (tree_->cloud_index.empty()) return;
   const pcl::PointXYZ query(cloud.x[point], cloud.y[point], cloud.z[point]);

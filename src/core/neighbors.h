@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "primitect/cloud.h"
 
 namespace primitect {
@@ -18,7 +18,7 @@ class NeighborSearch {
   ~NeighborSearch();
 
   /// Cloud indices of the `count` valid points nearest to a valid point, that point itself among them.
-  void nearest(const Cloud& cloud, std::uint32_t point, int count, std::vector<std::uint32_t>& neighbors);
+  void nearest(const Cloud& cloud, std::uint32_t point, int count, List<std::uint32_t>& neighbors);
 
  private:
   struct Tree;

@@ -12,13 +12,13 @@ namespace primitect {
 namespace {
 
 /// 1.4826 times the median: the standard deviation of a normal distribution, whatever lies outside.
-double robustDeviation(std::vector<double>& magnitudes) {
+double robustDeviation(List<double>& magnitudes) {
   const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
   std::nth_element(magnitudes.begin(), middle, magnitudes.end());
   return 1.4826 * *middle;
 }
 
-double lowerQuartile(std::vector<double>& values) {
+double lowerQuartile(List<double>& values) {
   const auto quartile = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
   std::nth_element(values.begin(), quartile, values.end());
   return *quartile;
@@ -26,13 +26,13 @@ double lowerQuartile(std::vector<double>& values) {
 
 }  // namespace
 
-NoiseModel measureNoise(const Samples& samples, const std::vector<Candidate>& candidates, const ProposalRules& rules) {
+NoiseModel measureNoise(const Samples& samples, const List<Candidate>& candidates, const ProposalRules& rules) {
   constexpr std::size_t kStrongest = 12;
   constexpr std::size_t kFewestInliers = 20;
   constexpr double kSmallestShare = 0.02;  // of the largest: exact data has float rounding
   const HeldGains nothing(samples.size(), 0.0f);
-  std::vector<double> distances, angles, magnitudes;
-  std::vector<std::uint32_t> set;
+  List<double> distances, angles, magnitudes;
+  List<std::uint32_t> set;
   for (std::size_t k = 0; k < std::min(candidates.size(), kStrongest); ++k) {
     Hypothesis hypothesis;
     gather(samples, nothing, candidates[k], rules, hypothesis, set);

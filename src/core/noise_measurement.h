@@ -3,16 +3,15 @@
 // Noise from the data: what strays from the shapes that the strongest candidates stand for.
 #pragma once
 
-#include <vector>
-
 #include "core/candidate.h"
 #include "core/competition.h"
+#include "core/frame_memory.h"
 
 namespace primitect {
 
 /// Noise of clouds that no depth camera's model fits: standard deviation (m) of the distances of samples to the shapes
 /// that explain the strongest candidates best, the lower quartile of these; and the angle that few of their normals
 /// exceed. `rules.noise` holds the largest that is possible.
-NoiseModel measureNoise(const Samples& samples, const std::vector<Candidate>& candidates, const ProposalRules& rules);
+NoiseModel measureNoise(const Samples& samples, const List<Candidate>& candidates, const ProposalRules& rules);
 
 }  // namespace primitect

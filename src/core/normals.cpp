@@ -68,7 +68,7 @@ void orient(Vec3& normal, const Vec3& point, const Vec3& given) {
 }
 
 void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Samples& samples) {
-  std::vector<std::uint32_t> neighbors;
+  List<std::uint32_t> neighbors;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     search.nearest(cloud, samples.index[i], count, neighbors);
     std::optional<Vec3> normal = planeNormal(cloud, neighbors);
@@ -80,7 +80,7 @@ void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Sam
 
 }  // namespace
 
-std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint32_t>& points) {
+std::optional<Vec3> planeNormal(const Cloud& cloud, const List<std::uint32_t>& points) {
   if (points.size() < 3) return std::nullopt;
   const auto at = [&cloud](std::uint32_t i) { return Vec3(cloud.x[i], cloud.y[i], cloud.z[i]); };
   const Vec3 origin = at(points.front());
@@ -117,8 +117,8 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
   constexpr int kNearest = 11;
   constexpr double kFewest = 12.0, kMost = 300.0;
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
-  std::vector<double> radii;
-  std::vector<std::uint32_t> nearest;
+  List<double> radii;
+  List<std::uint32_t> nearest;
   for (std::size_t i = 0; i < samples.size(); i += samples.size() / kLookedAt + 1) {
     source.neighbors->nearest(cloud, samples.index[i], kNearest, nearest);
     double radius = 0.0;

@@ -5,8 +5,8 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/neighbors.h"
 #include "core/projected_image.h"
 #include "core/samples.h"
@@ -46,6 +46,6 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
 
 /// Normal of the plane through the points (least squares), sign not known; nothing when they do not span a plane.
-std::optional<Vec3> planeNormal(const Cloud& cloud, const std::vector<std::uint32_t>& points);
+std::optional<Vec3> planeNormal(const Cloud& cloud, const List<std::uint32_t>& points);
 
 }  // namespace primitect

@@ -35,7 +35,7 @@ ObservedPart::ObservedPart(const Shape& shape, const Extent& extent) {
   ball_sq_ = ball > 0.0f ? ball * ball : -1.0f;
 }
 
-void ObservedPart::addSidesNear(float x, float y, float z, float radius, std::vector<kernels::FlatSide>& sides) const {
+void ObservedPart::addSidesNear(float x, float y, float z, float radius, List<kernels::FlatSide>& sides) const {
   for (const kernels::FlatSide& side : sides_) {
     if (side.x * x + side.y * y + side.z * z - side.offset <= radius) sides.push_back(side);
   }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "kernels/loops.h"
 #include "primitect/primitives.h"
 
@@ -39,14 +39,14 @@ class ObservedPart {
   }
 
   /// Appends the sides from which a ball within the surface's reach does not keep clear (m).
-  void addSidesNear(float x, float y, float z, float radius, std::vector<kernels::FlatSide>& sides) const;
+  void addSidesNear(float x, float y, float z, float radius, List<kernels::FlatSide>& sides) const;
 
   kernels::FlatPart view() const { return {sides_.data(), sides_.size()}; }
 
  private:
   void addSide(const Vec3& inward, const Vec3& point);
 
-  std::vector<kernels::FlatSide> sides_;
+  List<kernels::FlatSide> sides_;
   float center_[3];
   float ball_sq_;  ///< m^2, squared radius around the centre; negative: there is no such ball
 };

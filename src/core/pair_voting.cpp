@@ -120,7 +120,7 @@ void PairVoting::begin(const Samples& samples, double scene_diameter) {
   accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
 }
 
-void PairVoting::voteAt(std::uint32_t sample, std::vector<Candidate>& candidates) {
+void PairVoting::voteAt(std::uint32_t sample, List<Candidate>& candidates) {
   if (!samples_->hasNormal(sample)) return;
   const kernels::Boxes boxes = boxes_.view();
   kernels::Samples view = samples_->view();
@@ -134,7 +134,7 @@ void PairVoting::voteAt(std::uint32_t sample, std::vector<Candidate>& candidates
   accumulators_.clear();
 }
 
-void PairVoting::vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates) {
+void PairVoting::vote(const Samples& samples, double scene_diameter, List<Candidate>& candidates) {
   candidates.clear();
   begin(samples, scene_diameter);
   for (std::size_t k = 0; k < references(); ++k) voteAt(reference(k), candidates);

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/accumulators.h"
 #include "core/candidate.h"
+#include "core/frame_memory.h"
 #include "core/sample_boxes.h"
 #include "core/samples.h"
 #include "primitect/params.h"
@@ -51,10 +51,10 @@ class PairVoting {
   }
 
   /// Adds the strongest shape that the pairs of this sample vote for, if there is one.
-  void voteAt(std::uint32_t sample, std::vector<Candidate>& candidates);
+  void voteAt(std::uint32_t sample, List<Candidate>& candidates);
 
   /// begin(), and all references: at most one candidate for each.
-  void vote(const Samples& samples, double scene_diameter, std::vector<Candidate>& candidates);
+  void vote(const Samples& samples, double scene_diameter, List<Candidate>& candidates);
 
  private:
   std::optional<Candidate> strongest(const kernels::Reference& reference) const;

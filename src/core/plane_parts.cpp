@@ -20,14 +20,14 @@ struct Height {
   std::uint32_t sample;
 };
 
-Vec3 meanNormal(const Samples& samples, const std::vector<std::uint32_t>& indices) {
+Vec3 meanNormal(const Samples& samples, const List<std::uint32_t>& indices) {
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t i : indices) sum += samples.normal(i);
   return sum.normalized();
 }
 
 /// How many of the lowest make the two classes whose means differ most against their sizes (Otsu 1979).
-std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
+std::size_t bestCut(const List<Height>& heights, std::size_t least) {
   double total = 0.0;
   for (const Height& h : heights) total += h.height;
   const double count = static_cast<double>(heights.size());
@@ -46,23 +46,32 @@ std::size_t bestCut(const std::vector<Height>& heights, std::size_t least) {
   return best;
 }
 
-/// Sum of the squared distances to the best plane, in standard deviations of their noise.
-double misfitOf(const Samples& samples, const std::vector<std::uint32_t>& part) {
+/// Samples, and how badly the best plane fits them: the sum of what they are off in distance and normal, in standard
+/// deviations, squared.
+struct Group {
+  List<std::uint32_t> samples;
+  double misfit;
+};
+
+/// Of one sample. A plane that leads from one top to another hardly shows in the distances: it lies askew to both.
+double misfitAt(const Plane& plane, const Samples& samples, std::uint32_t i) {
+  constexpr double kMost = 9.0;  // at edges normals are worse than elsewhere
+  const double away = distance(plane, samples.point(i)) / samples.sigma[i];
+  if (!(samples.normal_sigma[i] > 0.0f)) return away * away;
+  const double turn_sq = (plane.normal.cross(samples.normal(i)) / samples.normal_sigma[i]).squaredNorm();
+  return away * away + std::min(turn_sq, kMost);
+}
+
+double misfitOf(const Samples& samples, const List<std::uint32_t>& part) {
   FitPoints points;
   points.gather({samples, part});
   const std::optional<Shape> start = fitFromMoments(Kind::plane, momentsOf(points));
   if (!start) return 0.0;
-  const Shape plane = refine(*start, points).value_or(*start);
+  const Plane plane = std::get<Plane>(refine(*start, points).value_or(*start));
   double sum = 0.0;
-  for (const std::uint32_t i : part) sum += std::pow(distance(plane, samples.point(i)) / samples.sigma[i], 2);
+  for (const std::uint32_t i : part) sum += misfitAt(plane, samples, i);
   return sum;
 }
-
-/// Samples and how badly a plane fits them.
-struct Group {
-  std::vector<std::uint32_t> samples;
-  double misfit;
-};
 
 Group together(const Samples& samples, const Group& a, const Group& b) {
   Group both;
@@ -71,13 +80,19 @@ Group together(const Samples& samples, const Group& a, const Group& b) {
   return both;
 }
 
+/// What the waves of a depth camera add to the squares of a sample: shares of the variances of distance and normal.
+double wavesAt(const Samples& samples, std::uint32_t i) {
+  constexpr double kOfDistance = 0.15, kOfNormal = 0.45;
+  return kOfDistance + (samples.normal_sigma[i] > 0.0f ? kOfNormal : 0.0);
+}
+
 /// How much worse one plane fits both than one for each does, as a share of what noise and the waves of a depth
 /// camera explain; below 1: it is the same plane.
-double disagreement(const Group& a, const Group& b, const Group& both) {
-  constexpr double kSure = 15.0;          // what chance alone hardly reaches
-  constexpr double kWavesOfDepth = 0.15;  // of the variance of the noise
-  const double more = both.misfit - a.misfit - b.misfit;
-  return more / std::max(kSure, kWavesOfDepth * static_cast<double>(both.samples.size()));
+double disagreement(const Samples& samples, const Group& a, const Group& b, const Group& both) {
+  constexpr double kSure = 15.0;  // what chance alone hardly reaches
+  double waves = 0.0;
+  for (const std::uint32_t i : both.samples) waves += wavesAt(samples, i);
+  return (both.misfit - a.misfit - b.misfit) / std::max(kSure, waves);
 }
 
 /// Two groups as one, and how little that one plane fits both.
@@ -89,7 +104,7 @@ struct Pair {
 Pair pairOf(const Samples& samples, const Group& a, const Group& b) {
   Pair pair;
   pair.joined = together(samples, a, b);
-  pair.apart = disagreement(a, b, pair.joined);
+  pair.apart = disagreement(samples, a, b, pair.joined);
   return pair;
 }
 
@@ -97,7 +112,7 @@ Pair pairOf(const Samples& samples, const Group& a, const Group& b) {
 class Grouping {
  public:
   Grouping(const Samples& samples, const SampleParts& parts) : samples_(samples) {
-    for (const std::vector<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
+    for (const List<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
   }
 
   /// Joins the two that are most at one; false when no two are.
@@ -130,7 +145,7 @@ class Grouping {
 
  private:
   void add(Group group) {
-    std::vector<Pair> with_others;
+    List<Pair> with_others;
     for (const Group& other : groups_) with_others.push_back(pairOf(samples_, other, group));
     pairs_.push_back(std::move(with_others));
     groups_.push_back(std::move(group));
@@ -144,8 +159,8 @@ class Grouping {
   }
 
   const Samples& samples_;
-  std::vector<Group> groups_;
-  std::vector<std::vector<Pair>> pairs_;  ///< of each group with those before it
+  List<Group> groups_;
+  List<List<Pair>> pairs_;  ///< of each group with those before it
 };
 
 }  // namespace
@@ -156,19 +171,19 @@ SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts) {
   return grouping.groups();
 }
 
-SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {
+SampleParts separateParts(const List<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph) {
   SampleParts parts = graph.parts(inliers, least);
   const bool all_touch = parts.size() == 1 && parts.front().size() == inliers.size();
   return all_touch ? SampleParts() : parts;
 }
 
-SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vector<std::uint32_t>& inliers,
+SampleParts stepParts(const Samples& samples, const Plane& plane, const List<std::uint32_t>& inliers,
                       std::size_t least) {
   constexpr double kLeastTilt = 0.02;  // rad: ten times what the noise of fifty normals leaves
   if (inliers.size() < 2 * least) return {};
   const Vec3 up = meanNormal(samples, inliers);
   if (!(up.cross(plane.normal).norm() > kLeastTilt)) return {};
-  std::vector<Height> heights;
+  List<Height> heights;
   for (const std::uint32_t i : inliers) heights.push_back({up.dot(samples.point(i)), i});
   std::sort(heights.begin(), heights.end(), [](const Height& a, const Height& b) {
     return a.height != b.height ? a.height < b.height : a.sample < b.sample;
@@ -176,7 +191,7 @@ SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vec
   const std::size_t cut = bestCut(heights, least);
   SampleParts parts(2);
   for (std::size_t k = 0; k < heights.size(); ++k) parts[k < cut ? 0 : 1].push_back(heights[k].sample);
-  for (std::vector<std::uint32_t>& part : parts) std::sort(part.begin(), part.end());
+  for (List<std::uint32_t>& part : parts) std::sort(part.begin(), part.end());
   return parts;
 }
 

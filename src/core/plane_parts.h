@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/sample_graph.h"
 #include "core/samples.h"
 #include "primitect/primitives.h"
@@ -15,14 +15,14 @@ namespace primitect {
 /// Share of all samples from which on a plane is taken for what things stand on.
 constexpr double kLargePlane = 0.1;
 
-using SampleParts = std::vector<std::vector<std::uint32_t>>;
+using SampleParts = List<List<std::uint32_t>>;
 
 /// Parts of at least `least` samples (rising indices) that do not touch; nothing when all touch.
-SampleParts separateParts(const std::vector<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph);
+SampleParts separateParts(const List<std::uint32_t>& inliers, std::size_t least, SampleGraph& graph);
 
 /// Two parts of at least `least` samples at different heights, where the plane is tilted against its samples' normals:
 /// it leads over a step from one surface to a parallel one. Nothing where it is not tilted.
-SampleParts stepParts(const Samples& samples, const Plane& plane, const std::vector<std::uint32_t>& inliers,
+SampleParts stepParts(const Samples& samples, const Plane& plane, const List<std::uint32_t>& inliers,
                       std::size_t least);
 
 /// Groups of these parts of a plane, each of which lies in one plane of its own: two tops of nearly the same height,

@@ -14,7 +14,7 @@ constexpr std::size_t kRun = kernels::kPointsPerRun;
 void resize(PointRuns& runs, std::size_t count) {
   runs.number.resize(count);
   runs.measured.resize(count);
-  for (std::vector<float>* values : {&runs.x, &runs.y, &runs.z, &runs.radius}) values->resize(count);
+  for (List<float>* values : {&runs.x, &runs.y, &runs.z, &runs.radius}) values->resize(count);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "kernels/loops.h"
 #include "primitect/cloud.h"
 
@@ -14,9 +14,9 @@ namespace primitect {
 
 /// Runs of kernels::kPointsPerRun points; the last one of a cloud may be shorter.
 struct PointRuns {
-  std::vector<std::uint32_t> number;    ///< of each run in the cloud, rising
-  std::vector<float> x, y, z, radius;   ///< of balls around their points (m); radius -1: all are missing
-  std::vector<std::uint64_t> measured;  ///< a bit for each point of the run that is not missing, the first one lowest
+  List<std::uint32_t> number;    ///< of each run in the cloud, rising
+  List<float> x, y, z, radius;   ///< of balls around their points (m); radius -1: all are missing
+  List<std::uint64_t> measured;  ///< a bit for each point of the run that is not missing, the first one lowest
 
   std::size_t size() const { return number.size(); }
 };

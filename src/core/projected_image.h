@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "primitect/cloud.h"
 
 namespace primitect {
@@ -14,7 +14,7 @@ namespace primitect {
 /// A cloud as an image over x/z and y/z.
 struct ProjectedImage {
   Cloud image;
-  std::vector<std::uint32_t> pixel;  ///< of each point of the cloud; of missing points: 0
+  List<std::uint32_t> pixel;  ///< of each point of the cloud; of missing points: 0
 };
 
 /// Pixels as large as the points are apart; of two points in a pixel the image holds the nearer one. Nothing when the

@@ -28,8 +28,8 @@ void describe(const Candidate& candidate, Hypothesis& hypothesis) {
 /// next, and together they take hardly longer than two of them alone.
 struct KnownGains {
   static constexpr std::size_t kAtOnce = kernels::kMostGains;
-  std::vector<float> gain;  ///< of each sample
-  std::vector<char> known;  ///< of each kAtOnce of them
+  List<float> gain;  ///< of each sample
+  List<char> known;  ///< of each kAtOnce of them
 
   void begin(std::size_t samples) {
     gain.resize(samples);
@@ -77,7 +77,7 @@ class MayStandFor {
 }  // namespace
 
 void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
-            Hypothesis& hypothesis, std::vector<std::uint32_t>& set) {
+            Hypothesis& hypothesis, List<std::uint32_t>& set) {
   describe(candidate, hypothesis);
   inliersAround(candidate.point, rules.reach, samples, held, widenFor(candidate, rules), hypothesis, set);
 }
@@ -88,7 +88,7 @@ namespace {
 enum class Outcome { nothing, known, grown };
 
 /// One of the pool is like the hypothesis, and explains about as much.
-bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) {
+bool isKnown(const Hypothesis& hypothesis, const List<Hypothesis>& pool) {
   return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
     return hypothesis.gain_sum < kMore * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
   });
@@ -96,8 +96,8 @@ bool isKnown(const Hypothesis& hypothesis, const std::vector<Hypothesis>& pool) 
 
 /// Fits the hypothesis to the set, and to all that it then explains, until it grows no more, or into what is in the
 /// pool.
-Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, std::vector<std::uint32_t> set,
-             const std::vector<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
+Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, List<std::uint32_t> set,
+             const List<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
   constexpr int kGrowths = 3;
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   std::size_t before = 0;
@@ -128,8 +128,8 @@ bool Proposer::wants(std::uint32_t sample) const {
   return held_[sample] <= kWell && failures_[sample] < kTries;
 }
 
-void Proposer::propose(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
-                       const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals) {
+void Proposer::propose(const Samples& samples, SampleGraph& graph, const List<Candidate>& candidates,
+                       const ProposalRules& rules, List<Hypothesis>& pool, Refusals& refusals) {
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   KnownGains gains;
   const auto unexplained = [this](std::uint32_t i) { return held_[i] < kWellExplained; };

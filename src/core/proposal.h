@@ -3,10 +3,9 @@
 // From candidates to hypotheses: a candidate is fitted to the samples around it, and grows.
 #pragma once
 
-#include <vector>
-
 #include "core/candidate.h"
 #include "core/competition.h"
+#include "core/frame_memory.h"
 #include "core/sample_graph.h"
 
 namespace primitect {
@@ -14,7 +13,7 @@ namespace primitect {
 /// The samples that the candidate may stand for: near its shape and within reach of its reference. The hypothesis gets
 /// the candidate's shape.
 void gather(const Samples& samples, const HeldGains& held, const Candidate& candidate, const ProposalRules& rules,
-            Hypothesis& hypothesis, std::vector<std::uint32_t>& set);
+            Hypothesis& hypothesis, List<std::uint32_t>& set);
 
 /// Makes hypotheses of candidates whose references are not explained yet. The samples near the candidate's shape,
 /// within reach of its reference, are fitted with all four kinds (moments, then robust least squares); the kind with
@@ -30,13 +29,13 @@ class Proposer {
   bool wants(std::uint32_t sample) const;
 
   /// Adds to the pool what comes of the candidates, in their order.
-  void propose(const Samples& samples, SampleGraph& graph, const std::vector<Candidate>& candidates,
-               const ProposalRules& rules, std::vector<Hypothesis>& pool, Refusals& refusals);
+  void propose(const Samples& samples, SampleGraph& graph, const List<Candidate>& candidates,
+               const ProposalRules& rules, List<Hypothesis>& pool, Refusals& refusals);
 
  private:
   HeldGains held_;
-  std::vector<std::uint8_t> failures_;  ///< of each sample: candidates that came to nothing there
-  std::vector<std::uint32_t> part_;
+  List<std::uint8_t> failures_;  ///< of each sample: candidates that came to nothing there
+  List<std::uint32_t> part_;
 };
 
 }  // namespace primitect

@@ -12,7 +12,7 @@ namespace primitect {
 void SampleBlocks::clear() {
   begin_.clear();
   end_.clear();
-  for (std::vector<float>* values : {&x_, &y_, &z_, &radius_, &tolerance_}) values->clear();
+  for (List<float>* values : {&x_, &y_, &z_, &radius_, &tolerance_}) values->clear();
 }
 
 void SampleBlocks::append(const SampleBlocks& more, std::size_t offset) {
@@ -20,7 +20,7 @@ void SampleBlocks::append(const SampleBlocks& more, std::size_t offset) {
     begin_.push_back(offset + more.begin_[k]);
     end_.push_back(offset + more.end_[k]);
   }
-  const auto add = [](std::vector<float>& values, const std::vector<float>& others) {
+  const auto add = [](List<float>& values, const List<float>& others) {
     values.insert(values.end(), others.begin(), others.end());
   };
   add(x_, more.x_), add(y_, more.y_), add(z_, more.z_);
@@ -28,7 +28,7 @@ void SampleBlocks::append(const SampleBlocks& more, std::size_t offset) {
 }
 
 void SampleBlocks::build(const Samples& samples) {
-  const auto middleOf = [](const std::vector<float>& values, std::size_t from, std::size_t to) {
+  const auto middleOf = [](const List<float>& values, std::size_t from, std::size_t to) {
     const auto range = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(from),
                                            values.begin() + static_cast<std::ptrdiff_t>(to));
     return 0.5f * (*range.first + *range.second);

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "kernels/loops.h"
 
 namespace primitect {
@@ -49,16 +49,15 @@ class SampleBlocks {
         const float away = distance[k] < 0.0f ? -distance[k] : distance[k];
         const std::size_t block = first + k;
         // Distances to a surface differ by no more than the points are apart.
-        if (away <= radius_[block] + widen * tolerance_[block])
-          use(SampleBlock{block, begin_[block], end_[block]});
+        if (away <= radius_[block] + widen * tolerance_[block]) use(SampleBlock{block, begin_[block], end_[block]});
       }
     }
   }
 
  private:
-  std::vector<std::size_t> begin_, end_;
-  std::vector<float> x_, y_, z_, radius_;  ///< of a sphere around the samples (m)
-  std::vector<float> tolerance_;           ///< the largest (m)
+  List<std::size_t> begin_, end_;
+  List<float> x_, y_, z_, radius_;  ///< of a sphere around the samples (m)
+  List<float> tolerance_;           ///< the largest (m)
 };
 
 }  // namespace primitect

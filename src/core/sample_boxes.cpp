@@ -10,7 +10,7 @@ namespace primitect {
 namespace {
 
 /// Bounds of values[begin, end), NaN left out: it is never less nor more.
-void bound(const std::vector<float>& values, std::size_t begin, std::size_t end, float& low, float& high) {
+void bound(const List<float>& values, std::size_t begin, std::size_t end, float& low, float& high) {
   low = std::numeric_limits<float>::infinity();
   high = -low;
   for (std::size_t i = begin; i < end; ++i) {
@@ -25,7 +25,7 @@ void SampleBoxes::enclose(const Samples& samples) {
   constexpr std::size_t kRun = kernels::kBoxSamples;
   count_ = (samples.size() + kRun - 1) / kRun;
   const std::size_t padded = (count_ + kRun - 1) / kRun * kRun;
-  for (std::vector<float>* bounds : {&min_x_, &min_y_, &min_z_, &max_x_, &max_y_, &max_z_}) {
+  for (List<float>* bounds : {&min_x_, &min_y_, &min_z_, &max_x_, &max_y_, &max_z_}) {
     bounds->assign(padded, std::numeric_limits<float>::quiet_NaN());
   }
   for (std::size_t k = 0; k < count_; ++k) {

@@ -3,8 +3,7 @@
 // Boxes around runs of samples: neighbours in space are neighbours in memory, so most runs are too far for a reference.
 #pragma once
 
-#include <vector>
-
+#include "core/frame_memory.h"
 #include "core/samples.h"
 
 namespace primitect {
@@ -18,7 +17,7 @@ class SampleBoxes {
   kernels::Boxes view() const;
 
  private:
-  std::vector<float> min_x_, min_y_, min_z_, max_x_, max_y_, max_z_;
+  List<float> min_x_, min_y_, min_z_, max_x_, max_y_, max_z_;
   std::size_t count_ = 0;
 };
 

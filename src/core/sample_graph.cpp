@@ -59,12 +59,12 @@ void SampleGraph::store(std::size_t first, std::size_t count, const kernels::Nea
   }
 }
 
-void SampleGraph::mark(const std::vector<std::uint32_t>& set) {
+void SampleGraph::mark(const List<std::uint32_t>& set) {
   state_.assign(neighbors_.size(), kOutside);
   for (const std::uint32_t i : set) state_[i] = kWaiting;
 }
 
-void SampleGraph::grow(std::vector<std::uint32_t>& part) {
+void SampleGraph::grow(List<std::uint32_t>& part) {
   for (std::size_t k = 0; k < part.size(); ++k) {
     for (const std::uint32_t j : neighbors_[part[k]]) {
       if (state_[j] != kWaiting) continue;
@@ -74,9 +74,9 @@ void SampleGraph::grow(std::vector<std::uint32_t>& part) {
   }
 }
 
-std::vector<std::vector<std::uint32_t>> SampleGraph::parts(const std::vector<std::uint32_t>& set, std::size_t least) {
-  std::vector<std::vector<std::uint32_t>> found;
-  std::vector<std::uint32_t> part;
+List<List<std::uint32_t>> SampleGraph::parts(const List<std::uint32_t>& set, std::size_t least) {
+  List<List<std::uint32_t>> found;
+  List<std::uint32_t> part;
   mark(set);
   for (const std::uint32_t i : set) {
     if (state_[i] != kWaiting) continue;
@@ -90,9 +90,9 @@ std::vector<std::vector<std::uint32_t>> SampleGraph::parts(const std::vector<std
   return found;
 }
 
-std::vector<std::uint32_t> SampleGraph::largeParts(const std::vector<std::uint32_t>& set, std::size_t least) {
-  std::vector<std::uint32_t> large;
-  for (const std::vector<std::uint32_t>& part : parts(set, least)) large.insert(large.end(), part.begin(), part.end());
+List<std::uint32_t> SampleGraph::largeParts(const List<std::uint32_t>& set, std::size_t least) {
+  List<std::uint32_t> large;
+  for (const List<std::uint32_t>& part : parts(set, least)) large.insert(large.end(), part.begin(), part.end());
   std::sort(large.begin(), large.end());
   return large;
 }

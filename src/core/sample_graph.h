@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/leaf_tree.h"
 #include "core/samples.h"
 #include "kernels/loops.h"
@@ -32,29 +32,29 @@ class SampleGraph {
   /// in rising order. The start need not be one of them; nothing when none of its neighbours is. Asks once about each
   /// sample that it comes to.
   template <class Belongs>
-  void connected(std::uint32_t start, const Belongs& belongs, std::vector<std::uint32_t>& part);
+  void connected(std::uint32_t start, const Belongs& belongs, List<std::uint32_t>& part);
 
   /// The connected parts of the set (rising indices) that have at least `least` samples, each in rising order.
-  std::vector<std::vector<std::uint32_t>> parts(const std::vector<std::uint32_t>& set, std::size_t least);
+  List<List<std::uint32_t>> parts(const List<std::uint32_t>& set, std::size_t least);
 
   /// All of these parts together, in rising order.
-  std::vector<std::uint32_t> largeParts(const std::vector<std::uint32_t>& set, std::size_t least);
+  List<std::uint32_t> largeParts(const List<std::uint32_t>& set, std::size_t least);
 
  private:
   /// Marks the set in state_, all else as outside.
-  void mark(const std::vector<std::uint32_t>& set);
+  void mark(const List<std::uint32_t>& set);
   /// Adds to the part what can be reached from what is in it, and marks it.
-  void grow(std::vector<std::uint32_t>& part);
+  void grow(List<std::uint32_t>& part);
   void store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys);
 
   LeafTree tree_;
-  std::vector<kernels::NearestKeys> keys_;  ///< of each leaf
-  std::vector<Neighbors> neighbors_;
-  std::vector<std::uint8_t> state_;  ///< of each sample while parts are looked for
+  List<kernels::NearestKeys> keys_;  ///< of each leaf
+  List<Neighbors> neighbors_;
+  List<std::uint8_t> state_;  ///< of each sample while parts are looked for
 };
 
 template <class Belongs>
-void SampleGraph::connected(std::uint32_t start, const Belongs& belongs, std::vector<std::uint32_t>& part) {
+void SampleGraph::connected(std::uint32_t start, const Belongs& belongs, List<std::uint32_t>& part) {
   constexpr std::uint8_t kAsked = 1;
   state_.assign(neighbors_.size(), 0);
   state_[start] = kAsked;

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/sample_blocks.h"
 #include "kernels/kernels.h"
 #include "kernels/loops.h"
@@ -15,17 +15,17 @@
 namespace primitect {
 
 struct Samples {
-  std::vector<float> x, y, z, nx, ny, nz;
-  std::vector<float> normal_sigma;  ///< rad, noise of the normal about each axis as far as it is known, else 0
-  std::vector<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
+  List<float> x, y, z, nx, ny, nz;
+  List<float> normal_sigma;  ///< rad, noise of the normal about each axis as far as it is known, else 0
+  List<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
-  std::vector<float> inverse_tolerance, normal_loss, farthest_turn;
-  std::vector<std::uint32_t> index;  ///< of the point in the cloud
-  SampleBlocks blocks;               ///< made by applyNoise()
+  List<float> inverse_tolerance, normal_loss, farthest_turn;
+  List<std::uint32_t> index;  ///< of the point in the cloud
+  SampleBlocks blocks;        ///< made by applyNoise()
 
   std::size_t size() const { return x.size(); }
   void clear() {
-    for (std::vector<float>* values : fields()) values->clear();
+    for (List<float>* values : fields()) values->clear();
     index.clear();
     blocks.clear();
   }
@@ -40,7 +40,7 @@ struct Samples {
     add(index, more.index);
   }
   /// Those of these indices, without what applyNoise() makes of them.
-  Samples part(const std::vector<std::uint32_t>& indices) const {
+  Samples part(const List<std::uint32_t>& indices) const {
     Samples result;
     result.resize(indices.size());
     for (std::size_t k = 0; k < indices.size(); ++k) {
@@ -53,7 +53,7 @@ struct Samples {
     return result;
   }
   void resize(std::size_t count) {
-    for (std::vector<float>* values : fields()) values->resize(count);
+    for (List<float>* values : fields()) values->resize(count);
     index.resize(count);
   }
   Vec3 point(std::size_t i) const { return {x[i], y[i], z[i]}; }
@@ -61,7 +61,7 @@ struct Samples {
   bool hasNormal(std::size_t i) const { return nx[i] == nx[i]; }
   kernels::Samples view() const { return {x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data(), x.size()}; }
   /// held: the best gain that other shapes have at each sample.
-  kernels::JudgedSamples judged(const std::vector<float>& held) const {
+  kernels::JudgedSamples judged(const List<float>& held) const {
     kernels::JudgedSamples all = judged();
     all.held = held.data();
     return all;
@@ -80,7 +80,7 @@ struct Samples {
   }
 
  private:
-  std::array<std::vector<float>*, 11> fields() {
+  std::array<List<float>*, 11> fields() {
     return {&x, &y, &z, &nx, &ny, &nz, &normal_sigma, &sigma, &inverse_tolerance, &normal_loss, &farthest_turn};
   }
 };

@@ -16,7 +16,7 @@ constexpr std::size_t kRun = kernels::kPointsPerRun;
 static_assert(kRun == 64, "a bit of a word for each point");
 
 /// Places alone.
-void gather(const Cloud& cloud, const std::vector<std::uint32_t>& indices, Samples& samples) {
+void gather(const Cloud& cloud, const List<std::uint32_t>& indices, Samples& samples) {
   samples.clear();
   samples.resize(indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -55,7 +55,7 @@ void Sampler::begin(const Cloud& cloud, const PointRuns& runs) {
   free_ = left_;
 }
 
-void Sampler::keepTo(const std::vector<std::uint64_t>& wanted) {
+void Sampler::keepTo(const List<std::uint64_t>& wanted) {
   free_.resize(left_.size());
   for (std::size_t k = 0; k < left_.size(); ++k) free_[k] = left_[k] & wanted[k];
 }
@@ -92,7 +92,7 @@ void Sampler::draw(std::size_t count, std::uint64_t seed, Samples& samples) {
   for (const std::uint32_t i : curve_.order(samples.x, samples.y, samples.z)) along_curve_.push_back(chosen_[i]);
   gather(*cloud_, along_curve_, samples);
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-  for (std::vector<float>* normal : {&samples.nx, &samples.ny, &samples.nz})
+  for (List<float>* normal : {&samples.nx, &samples.ny, &samples.nz})
     std::fill(normal->begin(), normal->end(), kMissing);
 }
 
@@ -107,7 +107,7 @@ void drawSamples(const Cloud& cloud, std::size_t count, std::uint64_t seed, Samp
 double boundingBoxDiagonal(const Samples& samples) {
   if (samples.size() == 0) return 0.0;
   double squares = 0.0;
-  for (const std::vector<float>* values : {&samples.x, &samples.y, &samples.z}) {
+  for (const List<float>* values : {&samples.x, &samples.y, &samples.z}) {
     const auto range = std::minmax_element(values->begin(), values->end());
     squares += std::pow(static_cast<double>(*range.second) - *range.first, 2);
   }

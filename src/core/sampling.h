@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/point_runs.h"
 #include "core/samples.h"
 #include "core/space_curve.h"
@@ -21,7 +21,7 @@ class Sampler {
   void begin(const Cloud& cloud, const PointRuns& runs);
 
   /// For the next draw only points with a bit in `wanted` are free, one word for each run; see PointRuns::measured.
-  void keepTo(const std::vector<std::uint64_t>& wanted);
+  void keepTo(const List<std::uint64_t>& wanted);
 
   /// Draws min(count, free points) samples: one at random of each of count equal parts of the free points in the
   /// cloud's order, then sorted along a curve through space. Normals are left missing.
@@ -32,10 +32,10 @@ class Sampler {
 
   const Cloud* cloud_ = nullptr;
   const PointRuns* runs_ = nullptr;
-  std::vector<std::uint64_t> left_;  ///< measured and never drawn
-  std::vector<std::uint64_t> free_;
+  List<std::uint64_t> left_;  ///< measured and never drawn
+  List<std::uint64_t> free_;
   SpaceCurve curve_;
-  std::vector<std::uint32_t> chosen_, along_curve_;  ///< indices of points in the cloud
+  List<std::uint32_t> chosen_, along_curve_;  ///< indices of points in the cloud
 };
 
 /// The first samples of a cloud.

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <functional>
 #include <utility>
-#include <vector>
 
 #include "core/clustering.h"
+#include "core/frame_memory.h"
 #include "core/pair_voting.h"
 #include "core/verification.h"
 
@@ -89,7 +89,7 @@ class Search {
   PairVoting& voting_;
   Verification& verification_;
   std::function<void(const char*)> done_;
-  std::vector<Candidate> candidates_, strongest_;
+  List<Candidate> candidates_, strongest_;
 };
 
 }  // namespace primitect

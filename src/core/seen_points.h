@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/flat.h"
+#include "core/frame_memory.h"
 #include "kernels/loops.h"
 #include "primitect/primitives.h"
 
@@ -22,7 +23,7 @@ constexpr std::size_t wholeLanes(std::size_t count) {
 /// In float around one of them, so that no digits are lost.
 struct SeenPoints {
   Vec3 origin = Vec3::Zero();
-  std::vector<float> x, y, z;  ///< m, from the origin
+  List<float> x, y, z;  ///< m, from the origin
 
   SeenPoints() = default;
   /// Not explicit: a list of points is one of those that were seen.
@@ -30,8 +31,8 @@ struct SeenPoints {
 
   /// Those of a cloud, or of samples, with these indices.
   template <class Source>
-  void gather(const Source& source, const std::vector<std::uint32_t>& index) {
-    for (std::vector<float>* values : {&x, &y, &z}) values->resize(index.size());
+  void gather(const Source& source, const List<std::uint32_t>& index) {
+    for (List<float>* values : {&x, &y, &z}) values->resize(index.size());
     if (index.empty()) return;
     const std::uint32_t middle = index[index.size() / 2];
     const float from[3] = {source.x[middle], source.y[middle], source.z[middle]};

@@ -14,7 +14,7 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 
 /// Gives every sample to the nearest segment.
-void assignToNearest(const Samples& samples, const Tolerance& tolerance, std::vector<Segment>& segments) {
+void assignToNearest(const Samples& samples, const Tolerance& tolerance, List<Segment>& segments) {
   for (Segment& segment : segments) segment.inliers.clear();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     Segment* nearest = nullptr;
@@ -42,16 +42,16 @@ bool withinLimits(const Shape& shape, const Params& params) {
                    cone->half_angle <= params.max_half_angle_deg * kDegree);
 }
 
-void selectSegments(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                    const Tolerance& tolerance, std::vector<Segment>& segments) {
-  std::vector<bool> explained(samples.size(), false);
+void selectSegments(const Samples& samples, const List<Candidate>& candidates, const Params& params,
+                    const Tolerance& tolerance, List<Segment>& segments) {
+  List<bool> explained(samples.size(), false);
   for (const Segment& segment : segments) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (std::isfinite(inlierDistance(segment.candidate.shape, segment.candidate.concave, samples, i, tolerance)))
         explained[i] = true;
     }
   }
-  std::vector<std::uint32_t> own;
+  List<std::uint32_t> own;
   for (const Candidate& candidate : candidates) {
     if (!withinLimits(candidate.shape, params)) continue;
     own.clear();
@@ -69,8 +69,7 @@ void selectSegments(const Samples& samples, const std::vector<Candidate>& candid
   }
 }
 
-void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance,
-                   std::vector<Segment>& segments) {
+void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance, List<Segment>& segments) {
   const auto weak = [&params](const Segment& segment) {
     return segment.inliers.size() < static_cast<std::size_t>(params.min_inliers);
   };

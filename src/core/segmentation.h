@@ -5,9 +5,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "core/candidate.h"
+#include "core/frame_memory.h"
 #include "core/samples.h"
 #include "core/tolerance.h"
 #include "primitect/evidence.h"
@@ -18,7 +18,7 @@ namespace primitect {
 /// A candidate that keeps enough samples for itself.
 struct Segment {
   Candidate candidate;
-  std::vector<std::uint32_t> inliers;  ///< indices of samples
+  List<std::uint32_t> inliers;  ///< indices of samples
   // Of verified ones:
   std::uint32_t hypothesis = 0;  ///< its index among the hypotheses of the frame
   Evidence evidence;
@@ -28,13 +28,12 @@ struct Segment {
 
 /// Takes the candidates in their order; each keeps the samples within the tolerance that no earlier one explains, and
 /// is added to the segments when these are at least params.min_inliers.
-void selectSegments(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params,
-                    const Tolerance& tolerance, std::vector<Segment>& segments);
+void selectSegments(const Samples& samples, const List<Candidate>& candidates, const Params& params,
+                    const Tolerance& tolerance, List<Segment>& segments);
 
 /// Gives every sample to the nearest of the segments within the same tolerances, or to none; segments that keep fewer
 /// than params.min_inliers go.
-void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance,
-                   std::vector<Segment>& segments);
+void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance, List<Segment>& segments);
 
 /// The shape's size is within the limits of params.
 bool withinLimits(const Shape& shape, const Params& params);

@@ -16,7 +16,7 @@ struct Worth {
 /// A choice and what it is worth. What is asked about one hypothesis takes the time of its own support.
 class Choice {
  public:
-  Choice(std::size_t samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers)
+  Choice(std::size_t samples, const List<Hypothesis>& pool, std::size_t min_inliers)
       : pool_(pool),
         min_inliers_(static_cast<double>(min_inliers)),
         chosen_(pool.size(), false),
@@ -25,7 +25,7 @@ class Choice {
         second_(samples),
         left_(samples, 0) {}
 
-  const std::vector<std::uint32_t>& order() const { return order_; }
+  const List<std::uint32_t>& order() const { return order_; }
   bool holds(std::uint32_t h) const { return chosen_[h]; }
 
   /// What the total gains when h joins.
@@ -58,7 +58,7 @@ class Choice {
   }
 
   /// Those chosen in another order.
-  void putInOrder(const std::vector<std::uint32_t>& order) { order_ = order; }
+  void putInOrder(const List<std::uint32_t>& order) { order_ = order; }
 
   void remove(std::uint32_t h) {
     chosen_[h] = false;
@@ -98,8 +98,8 @@ class Choice {
     return sum;
   }
 
-  std::vector<std::uint32_t> owners() const {
-    std::vector<std::uint32_t> owner(best_.size());
+  List<std::uint32_t> owners() const {
+    List<std::uint32_t> owner(best_.size());
     for (std::size_t i = 0; i < best_.size(); ++i) owner[i] = best_[i].hypothesis;
     return owner;
   }
@@ -161,13 +161,13 @@ class Choice {
     }
   }
 
-  const std::vector<Hypothesis>& pool_;
+  const List<Hypothesis>& pool_;
   double min_inliers_;
-  std::vector<bool> chosen_;
-  std::vector<std::uint32_t> order_;  ///< of those chosen
-  std::vector<Standing> standings_;   ///< of those chosen
-  std::vector<Holder> best_, second_;
-  std::vector<std::uint32_t> left_;  ///< of each sample: the last removal that it lost a holder by
+  List<bool> chosen_;
+  List<std::uint32_t> order_;  ///< of those chosen
+  List<Standing> standings_;   ///< of those chosen
+  List<Holder> best_, second_;
+  List<std::uint32_t> left_;  ///< of each sample: the last removal that it lost a holder by
   std::uint32_t removal_ = 0;
 };
 
@@ -179,8 +179,8 @@ struct Offer {
 };
 
 /// Adds the most valuable of these until none is worth anything.
-void addGreedily(Choice& choice, const std::vector<Hypothesis>& pool, const std::vector<std::uint32_t>& candidates) {
-  std::vector<Offer> offers;
+void addGreedily(Choice& choice, const List<Hypothesis>& pool, const List<std::uint32_t>& candidates) {
+  List<Offer> offers;
   for (const std::uint32_t h : candidates) offers.push_back({h, {pool[h].gain_sum, 0.0}});
   while (true) {
     Offer* best = nullptr;
@@ -202,8 +202,8 @@ void addGreedily(Choice& choice, const std::vector<Hypothesis>& pool, const std:
 }
 
 /// What could take the place of h once it is gone: not its likenesses, and nothing that has no sample of it.
-std::vector<std::uint32_t> substitutesOf(std::uint32_t h, const Choice& choice, const std::vector<Hypothesis>& pool) {
-  std::vector<std::uint32_t> substitutes;
+List<std::uint32_t> substitutesOf(std::uint32_t h, const Choice& choice, const List<Hypothesis>& pool) {
+  List<std::uint32_t> substitutes;
   for (std::uint32_t k = 0; k < pool.size(); ++k) {
     if (k == h || choice.holds(k) || !mayOverlap(pool[k], pool[h]) || alike(pool[h], pool[k])) continue;
     substitutes.push_back(k);
@@ -216,9 +216,9 @@ void dropWorthless(Choice& choice) {
 }
 
 /// Back to what was chosen before.
-void restore(const std::vector<std::uint32_t>& chosen, Choice& choice) {
-  const std::vector<std::uint32_t> now = choice.order();
-  const auto in = [](std::uint32_t h, const std::vector<std::uint32_t>& list) {
+void restore(const List<std::uint32_t>& chosen, Choice& choice) {
+  const List<std::uint32_t> now = choice.order();
+  const auto in = [](std::uint32_t h, const List<std::uint32_t>& list) {
     return std::find(list.begin(), list.end(), h) != list.end();
   };
   for (const std::uint32_t h : now) {
@@ -231,11 +231,11 @@ void restore(const std::vector<std::uint32_t>& chosen, Choice& choice) {
 }
 
 /// Leaves one out, and keeps the outcome when the rest then finds something better: two planes for one cone.
-bool exchange(Choice& choice, const std::vector<Hypothesis>& pool) {
-  const std::vector<std::uint32_t> chosen = choice.order();
+bool exchange(Choice& choice, const List<Hypothesis>& pool) {
+  const List<std::uint32_t> chosen = choice.order();
   const double before = choice.total();
   for (const std::uint32_t h : chosen) {
-    const std::vector<std::uint32_t> substitutes = substitutesOf(h, choice, pool);
+    const List<std::uint32_t> substitutes = substitutesOf(h, choice, pool);
     if (substitutes.empty()) continue;
     choice.remove(h);
     addGreedily(choice, pool, substitutes);
@@ -268,10 +268,10 @@ bool alike(const Hypothesis& a, const Hypothesis& b) {
   return same(both);
 }
 
-Selection selectHypotheses(const Samples& samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers) {
+Selection selectHypotheses(const Samples& samples, const List<Hypothesis>& pool, std::size_t min_inliers) {
   constexpr int kExchanges = 20;
   Choice choice(samples.size(), pool, min_inliers);
-  std::vector<std::uint32_t> all(pool.size());
+  List<std::uint32_t> all(pool.size());
   for (std::uint32_t h = 0; h < pool.size(); ++h) all[h] = h;
   addGreedily(choice, pool, all);
   dropWorthless(choice);

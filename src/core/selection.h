@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/hypothesis.h"
 
 namespace primitect {
@@ -14,8 +14,8 @@ namespace primitect {
 constexpr std::uint32_t kNobody = 0xffffffffu;
 
 struct Selection {
-  std::vector<std::uint32_t> chosen;  ///< indices in the pool, in the order in which they were chosen
-  std::vector<std::uint32_t> owner;   ///< of each sample: index in the pool, or kNobody
+  List<std::uint32_t> chosen;  ///< indices in the pool, in the order in which they were chosen
+  List<std::uint32_t> owner;   ///< of each sample: index in the pool, or kNobody
 };
 
 /// What explains less than this times as much explains no more.
@@ -27,6 +27,6 @@ bool alike(const Hypothesis& a, const Hypothesis& b);
 /// Chooses a subset of the pool with a large sum over the samples of the best gain of any chosen one, less what each
 /// chosen one costs: its price and the samples near it that it does not fit and nobody explains. Greedy, then with
 /// exchanges until nothing improves. Each chosen one owns at least min_inliers samples.
-Selection selectHypotheses(const Samples& samples, const std::vector<Hypothesis>& pool, std::size_t min_inliers);
+Selection selectHypotheses(const Samples& samples, const List<Hypothesis>& pool, std::size_t min_inliers);
 
 }  // namespace primitect

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/residuals.h"
 
@@ -49,7 +49,7 @@ void findMembers(const Shape& shape, const SomePoints<Members::kMost>& points, c
 }
 
 /// A box around the members cut into about thirty cells that meet the surface.
-std::vector<Cell> cellsOf(const Members& members) {
+List<Cell> cellsOf(const Members& members) {
   constexpr float kCells = 30.0f, kMostAlong = 100.0f;
   Eigen::Array3f low(members.x[0], members.y[0], members.z[0]), high = low;
   for (std::size_t k = 0; k < members.count; ++k) {
@@ -62,7 +62,7 @@ std::vector<Cell> cellsOf(const Members& members) {
   const float middle = size.sum() - longest - shortest;
   const float per_edge = 1.0f / std::max({std::sqrt(longest * middle / kCells), longest / kMostAlong, 1e-9f});
   const Eigen::Array3i counts = (size * per_edge).cast<int>() + 1;
-  std::vector<Cell> cells(static_cast<std::size_t>(counts.prod()));
+  List<Cell> cells(static_cast<std::size_t>(counts.prod()));
   for (std::size_t k = 0; k < members.count; ++k) {
     const int column = static_cast<int>((members.x[k] - low.x()) * per_edge);
     const int row = static_cast<int>((members.y[k] - low.y()) * per_edge);

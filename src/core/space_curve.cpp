@@ -14,12 +14,12 @@ constexpr int kBits = kernels::kCellBits;
 }  // namespace
 
 /// The middle nine tenths of some of the points, and as much again on either side.
-kernels::CellCube SpaceCurve::cubeAround(const std::array<const std::vector<float>*, 3>& fields) {
+kernels::CellCube SpaceCurve::cubeAround(const std::array<const List<float>*, 3>& fields) {
   constexpr std::size_t kLookedAt = 256;
   kernels::CellCube cube = {};
   float longest = 1e-9f;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<float>& values = *fields[axis];
+    const List<float>& values = *fields[axis];
     some_.clear();
     for (std::size_t i = 0; i < values.size(); i += values.size() / kLookedAt + 1) some_.push_back(values[i]);
     const auto low = some_.begin() + static_cast<std::ptrdiff_t>(some_.size() / 20);
@@ -50,8 +50,7 @@ void SpaceCurve::sortByPlace() {
   }
 }
 
-const std::vector<std::uint32_t>& SpaceCurve::order(const std::vector<float>& x, const std::vector<float>& y,
-                                                    const std::vector<float>& z) {
+const List<std::uint32_t>& SpaceCurve::order(const List<float>& x, const List<float>& y, const List<float>& z) {
   order_.resize(x.size());
   if (x.empty()) return order_;
   place_.resize(x.size());

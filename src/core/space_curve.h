@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "kernels/loops.h"
 
 namespace primitect {
@@ -17,20 +17,19 @@ class SpaceCurve {
  public:
   /// The order of these points: positions in the lists, along the curve; as they come within a cell. The cube around
   /// most of them is divided into cells; the few farther out fall into the outermost.
-  const std::vector<std::uint32_t>& order(const std::vector<float>& x, const std::vector<float>& y,
-                                          const std::vector<float>& z);
+  const List<std::uint32_t>& order(const List<float>& x, const List<float>& y, const List<float>& z);
 
  private:
   struct Entry {
     std::uint32_t place, position;
   };
 
-  kernels::CellCube cubeAround(const std::array<const std::vector<float>*, 3>& fields);
+  kernels::CellCube cubeAround(const std::array<const List<float>*, 3>& fields);
   void sortByPlace();
 
-  std::vector<Entry> entries_, sorted_;
-  std::vector<float> some_;
-  std::vector<std::uint32_t> place_, order_;
+  List<Entry> entries_, sorted_;
+  List<float> some_;
+  List<std::uint32_t> place_, order_;
 };
 
 }  // namespace primitect

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/observed_part.h"
+#include "core/ray_depth.h"
 
 namespace primitect {
 namespace {
@@ -19,66 +20,6 @@ constexpr double kOnSurface = 3.0;  // standard deviations
 struct Pixel {
   int column, row;
 };
-
-/// Distance of a point on a ray, and its growth along the ray.
-struct Approach {
-  double away, slope;
-};
-
-Approach approach(const Plane& plane, const Vec3& p, const Vec3& ray) {
-  return {plane.normal.dot(p - plane.point), plane.normal.dot(ray)};
-}
-
-Approach approach(const Sphere& sphere, const Vec3& p, const Vec3& ray) {
-  const Vec3 out = p - sphere.center;
-  const double away = out.norm();
-  return {away - sphere.radius, out.dot(ray) / away};
-}
-
-Approach approach(const Cylinder& cylinder, const Vec3& p, const Vec3& ray) {
-  const Vec3 offset = p - cylinder.point, out = offset - offset.dot(cylinder.axis) * cylinder.axis;
-  const double away = out.norm();
-  return {away - cylinder.radius, out.dot(ray) / away};
-}
-
-/// A cone whose sine and cosine are worked out once.
-struct OpenCone {
-  Cone cone;
-  double sine, cosine;
-};
-
-Approach approach(const OpenCone& open, const Vec3& p, const Vec3& ray) {
-  const Vec3 offset = p - open.cone.apex;
-  const double height = offset.dot(open.cone.axis);
-  const Vec3 out = offset - height * open.cone.axis;
-  const double away = out.norm();
-  if (height * open.cosine + away * open.sine < 0.0) return {offset.norm(), offset.dot(ray) / offset.norm()};
-  return {away * open.cosine - height * open.sine,
-          open.cosine * out.dot(ray) / away - open.sine * open.cone.axis.dot(ray)};
-}
-
-template <class T>
-const T& opened(const T& shape) {
-  return shape;
-}
-OpenCone opened(const Cone& cone) { return {cone, std::sin(cone.half_angle), std::cos(cone.half_angle)}; }
-
-/// Depth at which the ray meets the shape, by Newton's method from a depth nearby: of two crossings it finds that on
-/// whose side the walk is, so that shapes seen from inside need no care. Nothing at the limb.
-template <class T>
-std::optional<double> depthOn(const T& shape, const Vec3& ray, double depth) {
-  constexpr double kGrazing = 0.05, kExact = 1e-4;  // sine of 3 deg; m
-  const double least_slope_sq = kGrazing * kGrazing * ray.squaredNorm();
-  for (int iteration = 0; iteration < 8; ++iteration) {
-    const Approach here = approach(shape, depth * ray, ray);
-    if (std::abs(here.away) < kExact) return depth;
-    // Not of numbers where there is no normal.
-    if (!(here.slope * here.slope > least_slope_sq)) return std::nullopt;
-    depth -= here.away / here.slope;
-    if (!(depth > 0.0)) return std::nullopt;
-  }
-  return std::nullopt;
-}
 
 /// One walk along a row or column; what it passes is judged against the surface as it should be there.
 template <class T>
@@ -186,7 +127,7 @@ class Bands {
 };
 
 /// Start and direction of all walks.
-std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) {
+List<std::pair<Pixel, Pixel>> startsOf(const List<Pixel>& pixels) {
   Pixel low = pixels.front(), high = pixels.front();
   for (const Pixel& p : pixels) {
     low = {std::min(low.column, p.column), std::min(low.row, p.row)};
@@ -197,7 +138,7 @@ std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) 
     columns.add(p.column, p.row, p);
     rows.add(p.row, p.column, p);
   }
-  std::vector<std::pair<Pixel, Pixel>> starts;
+  List<std::pair<Pixel, Pixel>> starts;
   const auto bothWays = [&starts](const Pixel& step) {
     return [&starts, step](const Pixel& first, const Pixel& last) {
       starts.push_back({first, {-step.column, -step.row}});
@@ -210,7 +151,7 @@ std::vector<std::pair<Pixel, Pixel>> startsOf(const std::vector<Pixel>& pixels) 
 }
 
 /// The points reach a bound when the gap to it is no larger than those between them.
-std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const std::vector<std::uint32_t>& points) {
+std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const List<std::uint32_t>& points) {
   const auto byDepth = [&cloud](std::uint32_t a, std::uint32_t b) { return cloud.z[a] < cloud.z[b]; };
   const auto ends = std::minmax_element(points.begin(), points.end(), byDepth);
   const float nearest = cloud.z[*ends.first], farthest = cloud.z[*ends.second];
@@ -227,13 +168,13 @@ TruncationFinder::TruncationFinder(const Cloud& cloud, const ImageRays& rays, co
     : cloud_(cloud), rays_(rays), range_(range), sigma_(std::move(sigma)) {}
 
 std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
-                                    const std::vector<std::uint32_t>& inlier_points) const {
+                                    const List<std::uint32_t>& inlier_points) const {
   if (inlier_points.empty()) return kTruncationUnknown;
   if (!rays_.known) return kTruncationUnknown | depthBit(cloud_, range_, inlier_points);
   // More would only find borders that are a pixel farther out.
   constexpr std::size_t kMostStarts = 600;
   const ObservedPart part(shape, extent);
-  std::vector<Pixel> pixels;
+  List<Pixel> pixels;
   for (std::size_t k = 0; k < inlier_points.size(); k += inlier_points.size() / kMostStarts + 1) {
     const std::uint32_t i = inlier_points[k];
     const Vec3 p(cloud_.x[i], cloud_.y[i], cloud_.z[i]);

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <utility>
-#include <vector>
 
+#include "core/frame_memory.h"
 #include "core/image_rays.h"
 #include "core/point_noise.h"
 #include "primitect/cloud.h"
@@ -31,7 +31,7 @@ class TruncationFinder {
   ///              itself: the near wall of a cup hides the lower part of its inside.
   /// A cloud that is not a pinhole image tells the depth only: the bit is set when the farthest or nearest points reach
   /// the bound, along with kTruncationUnknown.
-  std::uint8_t find(const Shape& shape, const Extent& extent, const std::vector<std::uint32_t>& inlier_points) const;
+  std::uint8_t find(const Shape& shape, const Extent& extent, const List<std::uint32_t>& inlier_points) const;
 
  private:
   const Cloud& cloud_;

@@ -61,19 +61,19 @@ void Verification::addSamples(Samples samples) {
   proposer_.begin(heldByChosen());
 }
 
-void Verification::measureNoise(Samples samples, const std::vector<Candidate>& candidates) {
+void Verification::measureNoise(Samples samples, const List<Candidate>& candidates) {
   noise_ = largestNoise(scale_, params_);
   applyNoise(noise_, samples);
   noise_ = primitect::measureNoise(samples, candidates, rules());
 }
 
-void Verification::propose(const std::vector<Candidate>& candidates) {
+void Verification::propose(const List<Candidate>& candidates) {
   proposer_.propose(samples_, graph_, candidates, rules(), pool_, refusals_);
 }
 
-std::vector<std::uint32_t> Verification::unexplained() {
+List<std::uint32_t> Verification::unexplained() {
   const HeldGains held = heldByChosen();
-  std::vector<std::uint32_t> rest;
+  List<std::uint32_t> rest;
   for (std::uint32_t i = 0; i < held.size(); ++i) {
     if (!(held[i] > 0.0f)) rest.push_back(i);
   }
@@ -109,7 +109,7 @@ void Verification::dropLikenesses() {
     return std::any_of(chosen.begin(), chosen.end(),
                        [&](std::uint32_t c) { return mayOverlap(pool_[h], pool_[c]) && alike(pool_[h], pool_[c]); });
   };
-  std::vector<std::uint32_t> place(pool_.size(), kNobody);
+  List<std::uint32_t> place(pool_.size(), kNobody);
   std::uint32_t kept = 0;
   for (std::uint32_t h = 0; h < pool_.size(); ++h) {
     if (!redundant(h)) place[h] = kept++;
@@ -126,7 +126,7 @@ void Verification::dropLikenesses() {
 void Verification::select() {
   selection_ = selectHypotheses(samples_, pool_, needed(params_));
   dropLikenesses();
-  std::vector<std::size_t> segment_of(pool_.size(), 0);
+  List<std::size_t> segment_of(pool_.size(), 0);
   segments_.clear();
   for (const std::uint32_t h : selection_.chosen) {
     segment_of[h] = segments_.size();
@@ -160,7 +160,7 @@ void Verification::split(const Segment& segment, const HeldGains& held) {
   const Plane plane = std::get<Plane>(pool_[segment.hypothesis].shape);
   SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
   for (auto& part : stepParts(samples_, plane, segment.inliers, needed(params_))) parts.push_back(std::move(part));
-  for (const std::vector<std::uint32_t>& part : parts) {
+  for (const List<std::uint32_t>& part : parts) {
     Hypothesis trial = pool_[segment.hypothesis];
     if (bestOfKinds(samples_, held, part, rules(), trial)) join(trial, segment.hypothesis);
   }
@@ -173,7 +173,7 @@ void Verification::refit(const Segment& segment, const HeldGains& held) {
   if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) join(trial, segment.hypothesis);
   if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
   evaluate(samples_, held, kNear, trial);
-  std::vector<std::uint32_t> near;
+  List<std::uint32_t> near;
   inliersOf(trial, near);
   if (near.size() <= segment.inliers.size() * 21 / 20) return;
   if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
@@ -182,7 +182,7 @@ void Verification::refit(const Segment& segment, const HeldGains& held) {
 /// What was selected is fitted again; then it competes with what it was.
 void Verification::refit() {
   constexpr int kTimes = 2;
-  std::vector<std::vector<std::uint32_t>> refitted;  // inliers that were fitted again
+  List<List<std::uint32_t>> refitted;  // inliers that were fitted again
   for (int time = 0; time < kTimes; ++time) {
     const HeldGains held = heldByChosen();
     const std::size_t before = pool_.size();
@@ -212,10 +212,10 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
   if (static_cast<double>(segment.inliers.size()) > kLargePlane * static_cast<double>(samples_.size())) return false;
   const SampleParts groups = coplanarGroups(samples_, separateParts(segment.inliers, needed(params_), graph_));
   if (groups.size() < 2) return false;
-  std::vector<Hypothesis> apart;
-  for (const std::vector<std::uint32_t>& group : groups) {
-    std::vector<std::uint32_t> others;
-    for (const std::vector<std::uint32_t>& other : groups) {
+  List<Hypothesis> apart;
+  for (const List<std::uint32_t>& group : groups) {
+    List<std::uint32_t> others;
+    for (const List<std::uint32_t>& other : groups) {
       if (&other != &group) others.insert(others.end(), other.begin(), other.end());
     }
     std::sort(others.begin(), others.end());

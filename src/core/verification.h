@@ -4,9 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "core/candidate.h"
+#include "core/frame_memory.h"
 #include "core/hypothesis.h"
 #include "core/proposal.h"
 #include "core/sample_graph.h"
@@ -34,7 +34,7 @@ class Verification {
   void begin(const FrameScale& scale);
 
   /// The noise, from the first samples and what they voted for, strongest first.
-  void measureNoise(Samples samples, const std::vector<Candidate>& candidates);
+  void measureNoise(Samples samples, const List<Candidate>& candidates);
 
   /// Samples of a round, with normals, and what is to be proposed from now on.
   void addSamples(Samples samples);
@@ -43,13 +43,13 @@ class Verification {
   bool wants(std::uint32_t sample) const { return proposer_.wants(sample); }
 
   /// Candidates of such references, strongest first.
-  void propose(const std::vector<Candidate>& candidates);
+  void propose(const List<Candidate>& candidates);
 
   /// Selects from all that was proposed, as it was proposed: fits again have time until conclude().
   void select();
 
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
-  std::vector<std::uint32_t> unexplained();
+  List<std::uint32_t> unexplained();
 
   /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
   /// likely enough; its samples may serve others.
@@ -58,7 +58,7 @@ class Verification {
   const NoiseModel& noise() const { return noise_; }
   const Samples& samples() const { return samples_; }
   /// What was selected, with the samples of each; every sample belongs to one at most.
-  const std::vector<Segment>& segments() const { return segments_; }
+  const List<Segment>& segments() const { return segments_; }
   const Refusals& refusals() const { return refusals_; }
   Limits limits() const;
 
@@ -82,9 +82,9 @@ class Verification {
   Samples samples_;
   SampleGraph graph_;
   Proposer proposer_;
-  std::vector<Hypothesis> pool_;
+  List<Hypothesis> pool_;
   Selection selection_;
-  std::vector<Segment> segments_;
+  List<Segment> segments_;
   Refusals refusals_;
 };
 

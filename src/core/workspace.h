@@ -14,6 +14,7 @@
 #include "core/dense_fit.h"
 #include "core/extent.h"
 #include "core/far_sides.h"
+#include "core/frame_memory.h"
 #include "core/labeling.h"
 #include "core/measurement.h"
 #include "core/neighbors.h"
@@ -23,6 +24,7 @@
 #include "core/sampling.h"
 #include "core/search.h"
 #include "core/segmentation.h"
+#include "core/spare_outlines.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
 
@@ -36,14 +38,14 @@ inline Status statusOf(const Cloud& cloud) {
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
 }
 
-/// last: nothing will be measured on the points of the cloud.
-inline Detection describe(const Segment& segment, const Samples& samples, bool last) {
+/// last: nothing will be measured on the points of the cloud. outline: whose memory its own is to have.
+inline Detection describe(const Segment& segment, const Samples& samples, bool last, std::vector<Vec3> outline) {
   SeenPoints inliers;
   inliers.gather(samples, segment.inliers);
   Detection detection;
   detection.shape = canonical(segment.candidate.shape);
   detection.concave = segment.candidate.concave;
-  detection.extent = measureExtent(detection.shape, inliers);
+  detection.extent = measureExtent(detection.shape, inliers, std::move(outline));
   detection.votes = static_cast<float>(segment.candidate.votes);
   detection.inlier_count = static_cast<std::uint32_t>(inliers.size());
   if (last) detection.rms_error = rmsDistance(detection.shape, inliers);
@@ -83,12 +85,20 @@ struct Detector::Workspace {
     segments.clear();
     verification.begin({});
     normal_source.reset();
-    result = {};
+    forgetResult();
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
     if (result.status != Status::ok) return;
     labeling.begin(cloud);
+  }
+
+  /// All but the memory of its lists.
+  void forgetResult() {
+    spare_outlines.shorten(result.items, 0);
+    std::vector<Detection> items = std::move(result.items);
+    result = {};
+    result.items = std::move(items);
   }
 
   /// How many of what there are at full effort.
@@ -193,11 +203,9 @@ struct Detector::Workspace {
 
   /// More samples where the shapes are, without the points of large planes: these need no closer look.
   void lookCloser(const Cloud& cloud) {
-    std::vector<Detection> large;
-    for (const Detection& item : result.items) {
-      if (isLargePlane(item, verification.samples().size())) large.push_back(item);
-    }
-    draw(cloud, large, params.closer_samples, params.rounds);
+    const auto large = [this](std::size_t k) { return isLargePlane(result.items[k], verification.samples().size()); };
+    spare_outlines.keep(result.items, large);
+    draw(cloud, result.items, params.closer_samples, params.rounds);
     done("sample");
     estimateNormals(cloud, params, normal_source, samples);
     done("normals");
@@ -214,7 +222,7 @@ struct Detector::Workspace {
 
   /// What is left of all rounds votes once more: together, samples of a small surface are enough.
   void voteAgain() {
-    const std::vector<std::uint32_t> rest = verification.unexplained();
+    const List<std::uint32_t> rest = verification.unexplained();
     const Samples voters = verification.samples().part(rest);
     if (voters.size() < kFewestPoints) return;
     search.run(voters, result.scene_diameter, [&rest](std::uint32_t voter) { return rest[voter]; });
@@ -228,22 +236,20 @@ struct Detector::Workspace {
     constexpr std::size_t kMostPoints = 8192, kMostPixels = 4096;
     const std::size_t most = verification.noise().depth_share > 0.0 ? kMostPixels : kMostPoints;
     labeling.label(result.items, tolerance, labeling.allRuns(), labels);
-    std::vector<bool> far_sides;
+    List<bool> far_sides;
     if (verification.noise().depth_share > 0.0) far_sides = markFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, result.items.size(), most, points);
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
-    std::vector<Detection> measured;
-    const std::size_t fewest = fewestPoints();
+    const auto enough = [this, fewest = fewestPoints()](std::size_t k) { return points[k].all >= fewest; };
+    const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
-      if (points[k].all >= fewest) {
-        measured.push_back(measurement.of(result.items[k], points[k], clear.of(k, points[k].index)));
-      } else {
-        ++result.refusals[Refusal::few_inliers];
-      }
+      if (enough(k)) measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
+      if (!enough(k)) ++result.refusals[Refusal::few_inliers];
+      if (enough(k) && !likely(k)) ++result.refusals[Refusal::unlikely];
     }
-    result.items = std::move(measured);
+    spare_outlines.keep(result.items, [&](std::size_t k) { return enough(k) && likely(k); });
   }
 
   /// The closer look may take every point of what is left: a shape has more of them than just those.
@@ -253,14 +259,17 @@ struct Detector::Workspace {
     return static_cast<std::size_t>(params.min_inliers * std::max(1.0, kLeastShare * each));
   }
 
-  void describeSegments(const std::vector<Segment>& described, const Samples& of) {
-    result.items.clear();
+  void describeSegments(const List<Segment>& described, const Samples& of) {
+    spare_outlines.shorten(result.items, 0);
     for (const Segment& segment : described) {
-      if (!segment.inliers.empty()) result.items.push_back(describe(segment, of, !params.verify));
+      if (segment.inliers.empty()) continue;
+      auto outline = spare_outlines.take(kindOf(segment.candidate.shape));
+      result.items.push_back(describe(segment, of, !params.verify, std::move(outline)));
     }
     result.samples = static_cast<std::uint32_t>(of.size());
   }
 
+  FrameMemory memory;  ///< of all lists of this detector: it outlives them
   Params params;
   std::function<void(const char*)> stage_done;
   const Effort* effort = nullptr;  ///< only while a frame runs
@@ -269,16 +278,17 @@ struct Detector::Workspace {
   Verification verification;
   Search search;
   Sampler sampler;
-  Samples samples;                    ///< of this round
-  Samples all_samples;                ///< of all rounds of this frame, by votes alone
-  Tolerance tolerance;                ///< of what belongs to a shape
-  std::vector<Candidate> candidates;  ///< by votes alone
-  std::vector<Segment> segments;      ///< by votes alone
+  Samples samples;             ///< of this round
+  Samples all_samples;         ///< of all rounds of this frame, by votes alone
+  Tolerance tolerance;         ///< of what belongs to a shape
+  List<Candidate> candidates;  ///< by votes alone
+  List<Segment> segments;      ///< by votes alone
   Labeling labeling;
-  std::vector<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
+  List<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
   std::vector<std::uint32_t> labels;
-  std::vector<LabelledPoints> points;  ///< of the detections
-  NormalSource normal_source;          ///< of this frame
+  List<LabelledPoints> points;  ///< of the detections
+  NormalSource normal_source;   ///< of this frame
+  SpareOutlines spare_outlines;
   Detections result;
 };
 

@@ -43,16 +43,17 @@ std::string fieldList(const PointCloud2& message) {
 /// Fills the slot, or says what is wrong with the field.
 std::string checkField(const PointCloud2& message, const char* name, Slot& slot) {
   const PointField* field = findField(message, name);
-  const std::string label = std::string("field '") + name + "'";
-  if (!field) return label + " is missing (fields: " + fieldList(message) + "); expected x, y, z as float32 or float64";
+  const auto label = [name] { return std::string("field '") + name + "'"; };
+  if (!field)
+    return label() + " is missing (fields: " + fieldList(message) + "); expected x, y, z as float32 or float64";
   slot.is_double = field->datatype == PointField::FLOAT64;
   if (!slot.is_double && field->datatype != PointField::FLOAT32) {
-    return label + " is " + typeName(field->datatype) + "; expected float32 or float64";
+    return label() + " is " + typeName(field->datatype) + "; expected float32 or float64";
   }
-  if (field->count != 1) return label + " has count " + std::to_string(field->count) + "; expected 1";
+  if (field->count != 1) return label() + " has count " + std::to_string(field->count) + "; expected 1";
   const std::uint64_t end = std::uint64_t{field->offset} + (slot.is_double ? sizeof(double) : sizeof(float));
   if (end > message.point_step) {
-    return label + " ends at byte " + std::to_string(end) +
+    return label() + " ends at byte " + std::to_string(end) +
            " of a point; expected at most point_step = " + std::to_string(message.point_step);
   }
   slot.offset = field->offset;

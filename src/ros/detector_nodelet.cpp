@@ -102,7 +102,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   startAnewIfTimeWentBack(cloud.header.stamp);
   diagnostics_->frameReceived();
   pipeline_->times().begin();
-  PrimitiveArray message = pipeline_->process(cloud);
+  PrimitiveArray& message = pipeline_->process(cloud);
   std::string problem = pipeline_->problem();
   if (!problem.empty() && input_warning_.ready()) {
     NODELET_WARN_STREAM(getName() << " refuses a cloud on " << input_.getTopic() << ": " << problem);
@@ -149,8 +149,8 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
 }
 
 std::string DetectorNodelet::toTargetFrame(PrimitiveArray& message) {
-  const std::string target = pipeline_->params().target_frame;
-  const std::string source = message.header.frame_id;
+  const std::string& target = pipeline_->params().target_frame;
+  const std::string& source = message.header.frame_id;
   Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();
   std::string problem;
   const bool something_to_move = message.status == PrimitiveArray::OK;

@@ -4,7 +4,6 @@
 #include "frame_pipeline.h"
 
 #include "cloud_reader.h"
-#include "messages.h"
 #include "output_clouds.h"
 
 namespace primitect::ros_layer {
@@ -19,6 +18,12 @@ std::string metres(const char* name, double value) {
 
 std::string depthRangeText(double min_depth, double max_depth) {
   return "between " + metres("min_depth", min_depth) + " and " + metres("max_depth", max_depth);
+}
+
+Detections rejected() {
+  Detections nothing;
+  nothing.status = Status::rejected_input;
+  return nothing;
 }
 
 }  // namespace
@@ -59,35 +64,33 @@ const Detections& FramePipeline::detect() {
 
 void FramePipeline::published() {
   // A cloud that was not searched says nothing about the time that searching takes.
-  if (governor_ && detections_.status == Status::ok) governor_->endFrame(times_.elapsed());
+  if (governor_ && status_ == Status::ok) governor_->endFrame(times_.elapsed());
 }
 
-PrimitiveArray FramePipeline::process(const sensor_msgs::PointCloud2& message) {
+PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message) {
+  static const Detections kRejected = rejected();
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
   problem_ = readCloud(message, range, params().use_cloud_normals, cloud_);
   stageDone("read");
-  if (problem_.empty()) {
-    detections_ = detect();
-    problem_ = statusProblem();
-  } else {
-    detections_ = Detections();
-    detections_.status = Status::rejected_input;
-  }
-  return toMessage(detections_, message.header);
+  const Detections& detections = problem_.empty() ? detect() : kRejected;
+  status_ = detections.status;
+  refusals_ = detections.refusals;
+  if (problem_.empty()) problem_ = problemOf(detections);
+  return message_writer_.write(detections, message.header);
 }
 
-std::string FramePipeline::statusProblem() const {
-  if (detections_.status == Status::ok) return {};
-  const std::string used = std::to_string(detections_.points_used);
-  if (detections_.points_used >= kFewestPoints) return "all " + used + " measured points are in one place";
-  return used + " of " + std::to_string(detections_.points_in) + " points are measured and " +
+std::string FramePipeline::problemOf(const Detections& detections) const {
+  if (detections.status == Status::ok) return {};
+  const std::string used = std::to_string(detections.points_used);
+  if (detections.points_used >= kFewestPoints) return "all " + used + " measured points are in one place";
+  return used + " of " + std::to_string(detections.points_in) + " points are measured and " +
          depthRangeText(params().min_depth, params().max_depth) + "; expected at least " +
          std::to_string(kFewestPoints);
 }
 
 sensor_msgs::PointCloud2 FramePipeline::labels(const std_msgs::Header& header) {
   detector_.label(cloud_, labels_);
-  return labelCloud(header, cloud_, labels_, detections_);
+  return labelCloud(header, cloud_, labels_, detector_.result());
 }
 
 sensor_msgs::PointCloud2 FramePipeline::normals(const std_msgs::Header& header) const {

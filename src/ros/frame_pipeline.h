@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "messages.h"
 #include "primitect/detector.h"
 #include "primitect/latency_governor.h"
 #include "steady_time.h"
@@ -31,7 +32,8 @@ class FramePipeline {
 
   /// Reads the cloud and detects. When the status is not OK, problem() says why. processing_time is left 0.
   /// With max_latency, times().begin() is when the frame came.
-  PrimitiveArray process(const sensor_msgs::PointCloud2& message);
+  /// The result may be changed; it is valid until the next call.
+  PrimitiveArray& process(const sensor_msgs::PointCloud2& message);
 
   /// The frame is done, all of its outputs are published: what it took decides on the effort of the next one.
   void published();
@@ -46,7 +48,7 @@ class FramePipeline {
   const std::string& problem() const { return problem_; }
 
   /// Of the last cloud: how often shapes were tried that did not come out, and why.
-  const Refusals& refusals() const { return detections_.refusals; }
+  const Refusals& refusals() const { return refusals_; }
 
   /// Of the last cloud that process() could read.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
@@ -62,14 +64,16 @@ class FramePipeline {
   void stageDone(const char* stage);
   void resetGovernor();
   const Detections& detect();
-  std::string statusProblem() const;
+  std::string problemOf(const Detections& detections) const;
 
   StageTimes times_;
   std::function<void(const char*)> stage_done_;
   Detector detector_;
   std::optional<LatencyGovernor> governor_;
   Cloud cloud_;
-  Detections detections_;
+  Status status_ = Status::ok;  ///< of the last cloud
+  Refusals refusals_;
+  MessageWriter message_writer_;
   std::vector<std::uint32_t> labels_;
   std::string problem_;
 };

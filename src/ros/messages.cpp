@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "geometry_messages.h"
 
@@ -27,6 +28,9 @@ static_assert(static_cast<int>(Status::empty_input) == PrimitiveArray::EMPTY_INP
 static_assert(static_cast<int>(Status::too_few_points) == PrimitiveArray::TOO_FEW_POINTS);
 static_assert(static_cast<int>(Status::rejected_input) == PrimitiveArray::REJECTED_INPUT);
 static_assert(static_cast<int>(Status::no_transform) == PrimitiveArray::NO_TRANSFORM);
+
+/// Of outlines: so that most never need more memory.
+constexpr std::size_t kUsualCorners = 64;
 
 geometry_msgs::Point32 point32Message(const Vec3& p) {
   geometry_msgs::Point32 point;
@@ -111,10 +115,16 @@ void rotateCovariance(const Eigen::Matrix3d& rotation, boost::array<double, 36>&
   covariance = (both * covariance * both.transpose()).eval();
 }
 
-}  // namespace
+/// All but the memory of the outline.
+void clear(Primitive& message) {
+  Primitive::_hull_type hull = std::move(message.hull);
+  hull.clear();
+  message = Primitive();
+  message.hull = std::move(hull);
+}
 
-Primitive toMessage(const Detection& detection, std::uint32_t id) {
-  Primitive message;
+void fill(const Detection& detection, std::uint32_t id, Primitive& message) {
+  clear(message);
   const Extent& extent = detection.extent;
   message.type = static_cast<std::uint8_t>(kindOf(detection.shape));
   message.id = id;
@@ -130,6 +140,7 @@ Primitive toMessage(const Detection& detection, std::uint32_t id) {
     message.apex = pointMessage(cone->apex);
   }
   for (std::size_t i = 0; i < 3; ++i) message.size[i] = static_cast<float>(extent.size[static_cast<int>(i)]);
+  if (!extent.hull.empty()) message.hull.reserve(std::max(kUsualCorners, extent.hull.size()));
   for (const Vec3& p : extent.hull) message.hull.push_back(point32Message(p));
   message.radius_stddev = detection.radius_stddev;
   message.half_angle_stddev = detection.half_angle_stddev;
@@ -141,21 +152,38 @@ Primitive toMessage(const Detection& detection, std::uint32_t id) {
   message.coverage = detection.coverage;
   message.concave = detection.concave;
   message.truncated = detection.truncated;
+}
+
+/// Makes it so many; what there is too much of waits among the spare ones, whose memory serves when there are more.
+void resize(std::size_t count, std::vector<Primitive>& primitives, std::vector<Primitive>& spare) {
+  for (; primitives.size() > count; primitives.pop_back()) spare.push_back(std::move(primitives.back()));
+  for (; primitives.size() < count && !spare.empty(); spare.pop_back()) primitives.push_back(std::move(spare.back()));
+  primitives.resize(count);
+}
+
+}  // namespace
+
+Primitive toMessage(const Detection& detection, std::uint32_t id) {
+  Primitive message;
+  fill(detection, id, message);
   return message;
 }
 
+PrimitiveArray& MessageWriter::write(const Detections& detections, const std_msgs::Header& header) {
+  message_.header = header;
+  resize(detections.items.size(), message_.primitives, spare_);
+  for (std::uint32_t id = 0; id < detections.items.size(); ++id)
+    fill(detections.items[id], id, message_.primitives[id]);
+  message_.points_in = detections.points_in;
+  message_.points_used = detections.points_used;
+  message_.samples = detections.samples;
+  message_.processing_time = 0.0f;
+  message_.status = static_cast<std::uint8_t>(detections.status);
+  return message_;
+}
+
 PrimitiveArray toMessage(const Detections& detections, const std_msgs::Header& header) {
-  PrimitiveArray message;
-  message.header = header;
-  message.primitives.reserve(detections.items.size());
-  for (const Detection& detection : detections.items) {
-    message.primitives.push_back(toMessage(detection, static_cast<std::uint32_t>(message.primitives.size())));
-  }
-  message.points_in = detections.points_in;
-  message.points_used = detections.points_used;
-  message.samples = detections.samples;
-  message.status = static_cast<std::uint8_t>(detections.status);
-  return message;
+  return std::move(MessageWriter().write(detections, header));
 }
 
 Detections fromMessage(const PrimitiveArray& message) {

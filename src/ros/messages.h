@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <vector>
 
 #include "primitect/primitives.h"
 
@@ -19,6 +20,17 @@ Primitive toMessage(const Detection& detection, std::uint32_t id);
 /// All detections of one cloud under its header (stamp and frame).
 /// processing_time (s) is left 0: whoever calls this knows when the work began.
 PrimitiveArray toMessage(const Detections& detections, const std_msgs::Header& header);
+
+/// The same for frame after frame in the same memory, outlines included.
+class MessageWriter {
+ public:
+  /// Valid until the next.
+  PrimitiveArray& write(const Detections& detections, const std_msgs::Header& header);
+
+ private:
+  PrimitiveArray message_;
+  std::vector<Primitive> spare_;  ///< of messages that had more
+};
 
 /// The detections of a message, in the float precision of its fields; scene_diameter is not in the message: 0.
 /// Throws std::invalid_argument naming the number of an unknown type.

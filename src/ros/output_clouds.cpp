@@ -75,7 +75,7 @@ PointCloud2 labelCloud(const std_msgs::Header& header, const Cloud& cloud, const
 }
 
 PointCloud2 normalCloud(const std_msgs::Header& header, const SampleView& samples) {
-  PointCloud2 message = makeCloud(header, static_cast<std::uint32_t>(samples.x.size()), 1,
+  PointCloud2 message = makeCloud(header, static_cast<std::uint32_t>(samples.count), 1,
                                   {{"x", PointField::FLOAT32},
                                    {"y", PointField::FLOAT32},
                                    {"z", PointField::FLOAT32},
@@ -84,7 +84,7 @@ PointCloud2 normalCloud(const std_msgs::Header& header, const SampleView& sample
                                    {"normal_z", PointField::FLOAT32}});
   message.is_dense = false;  // a sample may lack its normal
   std::uint8_t* out = message.data.data();
-  for (std::size_t i = 0; i < samples.x.size(); ++i, out += message.point_step) {
+  for (std::size_t i = 0; i < samples.count; ++i, out += message.point_step) {
     const float values[6] = {samples.x[i], samples.y[i], samples.z[i], samples.nx[i], samples.ny[i], samples.nz[i]};
     std::memcpy(out, values, sizeof values);
   }

@@ -49,7 +49,10 @@ std::vector<StageSummary> StageTimes::summaries() const {
 void StageTimes::record(const Stage& stage) {
   const auto same = [&stage](const Record& r) { return r.stage == stage.name; };
   auto record = std::find_if(stages_.begin(), stages_.end(), same);
-  if (record == stages_.end()) record = stages_.insert(stages_.end(), Record{stage.name, {}, 0});
+  if (record == stages_.end()) {
+    record = stages_.insert(stages_.end(), Record{stage.name, {}, 0});
+    record->milliseconds.reserve(kFrames);
+  }
   if (record->milliseconds.size() < kFrames) {
     record->milliseconds.push_back(1e3 * stage.seconds);
   } else {

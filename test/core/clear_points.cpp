@@ -33,13 +33,13 @@ Detection seen(const Shape& shape, const std::vector<SurfacePoint>& patch) {
   return detection;
 }
 
-std::vector<std::uint32_t> upTo(std::size_t count) {
-  std::vector<std::uint32_t> indices(count);
+List<std::uint32_t> upTo(std::size_t count) {
+  List<std::uint32_t> indices(count);
   std::iota(indices.begin(), indices.end(), 0u);
   return indices;
 }
 
-bool contains(const std::vector<std::uint32_t>& indices, std::uint32_t i) {
+bool contains(const List<std::uint32_t>& indices, std::uint32_t i) {
   return std::find(indices.begin(), indices.end(), i) != indices.end();
 }
 
@@ -48,8 +48,9 @@ struct TwoHalves {
   static constexpr std::uint32_t kWidth = 64, kHeight = 48;
   Random random{1};
   Cloud cloud;
-  std::vector<std::uint32_t> labels, of_left;
-  std::vector<bool> has_far_side;
+  std::vector<std::uint32_t> labels;
+  List<std::uint32_t> of_left;
+  List<bool> has_far_side;
   std::vector<Detection> detections = {seen(kFloor, test::patchOf(kFloor, 100, 0.1, random)),
                                        seen(kFloor, test::patchOf(kFloor, 100, 0.1, random))};
 
@@ -61,14 +62,14 @@ struct TwoHalves {
       if (labels.back() == 1) of_left.push_back(i);
     }
   }
-  std::vector<std::uint32_t> clear() const {
+  List<std::uint32_t> clear() const {
     return ClearPoints(cloud, {}, detections, labels, has_far_side, kDepthCamera).of(0, of_left);
   }
 };
 
 TEST(ClearPoints, OfAnImageAreTwoPixelsOrMoreFromOtherLabels) {
   const TwoHalves halves;
-  const std::vector<std::uint32_t> clear = halves.clear();
+  const List<std::uint32_t> clear = halves.clear();
   // Least radius of the ring: 2 pixels. The border of the image is none of the surface.
   for (const std::uint32_t i : halves.of_left) {
     EXPECT_EQ(contains(clear, i), i % TwoHalves::kWidth < TwoHalves::kWidth / 2 - 2) << i;
@@ -88,7 +89,7 @@ TEST(ClearPoints, OfAWallSeenFromBothSidesAreFourPixelsOrMoreFromItsInside) {
   TwoHalves halves;
   halves.has_far_side = {true, false};
   for (std::uint32_t& label : halves.labels) label = label == 2 ? 1 | kFarSide : label;
-  const std::vector<std::uint32_t> clear = halves.clear();
+  const List<std::uint32_t> clear = halves.clear();
   const std::uint32_t row = 20 * TwoHalves::kWidth, border = row + TwoHalves::kWidth / 2;
   EXPECT_FALSE(contains(clear, border - 4));
   EXPECT_TRUE(contains(clear, border - 5));
@@ -121,14 +122,14 @@ struct BallOnFloor {
     labels.assign(kCount, 1);
     labels.resize(2 * kCount, 2);
   }
-  std::vector<std::uint32_t> clearOfFloor() const {
+  List<std::uint32_t> clearOfFloor() const {
     return ClearPoints(cloud, normals, detections, labels, {}, kModel).of(0, upTo(kCount));
   }
 };
 
 TEST(ClearPoints, OfUnorderedPointsAreBeyondTheNoiseOfOtherShapes) {
   const BallOnFloor scene;
-  const std::vector<std::uint32_t> clear = scene.clearOfFloor();
+  const List<std::uint32_t> clear = scene.clearOfFloor();
   int left_out = 0;
   for (std::uint32_t i = 0; i < BallOnFloor::kCount; ++i) {
     const double away = std::abs(distance(kBall, scene.points[i].point)) / kSigma;
@@ -145,7 +146,7 @@ TEST(ClearPoints, OfUnorderedPointsAreBeyondTheNoiseOfOtherShapes) {
 
 TEST(ClearPoints, AreChosenByTheirPlaceOnTheSurfaceWhateverTheNoise) {
   BallOnFloor scene;
-  const std::vector<std::uint32_t> before = scene.clearOfFloor();
+  const List<std::uint32_t> before = scene.clearOfFloor();
   // Those that noise takes away from the ball would tilt the floor if they were kept, and the others not.
   Random random(3);
   for (std::size_t i = 0; i < BallOnFloor::kCount; ++i) {
@@ -156,7 +157,7 @@ TEST(ClearPoints, AreChosenByTheirPlaceOnTheSurfaceWhateverTheNoise) {
 
 TEST(ClearPoints, HaveNormalsLikeTheSurfaceOrNone) {
   BallOnFloor scene;
-  const std::vector<std::uint32_t> clear = scene.clearOfFloor();
+  const List<std::uint32_t> clear = scene.clearOfFloor();
   const std::uint32_t turned = clear[10], without = clear[20];
   scene.cloud.setNormal(turned, 0.8f, 0.0f, -0.6f);  // 53 deg, beyond the 17 deg of the noise
   scene.cloud.setNormal(without, 0.0f, 0.0f, 0.0f);
@@ -166,7 +167,7 @@ TEST(ClearPoints, HaveNormalsLikeTheSurfaceOrNone) {
 
 TEST(ClearPoints, TurnNormalsToTheSensorOrTakeNoneAsTheSamplesDo) {
   BallOnFloor scene;
-  const std::vector<std::uint32_t> clear = scene.clearOfFloor();
+  const List<std::uint32_t> clear = scene.clearOfFloor();
   ASSERT_LT(clear.size(), BallOnFloor::kCount);
   for (std::size_t i = 0; i < BallOnFloor::kCount; ++i) scene.cloud.setNormal(i, 0.0f, 0.0f, 1.0f);  // away from it
   EXPECT_EQ(scene.clearOfFloor(), clear);
@@ -181,7 +182,7 @@ struct WholeBall {
   Cloud cloud;
   std::vector<Detection> detections;
   std::vector<std::uint32_t> labels;
-  std::vector<bool> faces_camera;
+  List<bool> faces_camera;
 
   explicit WholeBall(bool concave) {
     Random random(4);
@@ -201,7 +202,7 @@ TEST(FarSides, LoseTheirLabels) {
   for (const bool concave : {false, true}) {
     WholeBall ball(concave);
     std::vector<std::uint32_t> marked = ball.labels;
-    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, marked), std::vector<bool>{true});
+    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, marked), List<bool>{true});
     dropFarSides(ball.cloud, ball.detections, ball.labels);
     for (std::size_t i = 0; i < ball.labels.size(); ++i) {
       EXPECT_EQ(marked[i], ball.labels[i] == 1 ? 1 : 1 | kFarSide);
@@ -213,7 +214,7 @@ TEST(FarSides, LoseTheirLabels) {
 TEST(FarSides, AreNotTakenFromPlanes) {
   TwoHalves halves;
   const std::vector<std::uint32_t> before = halves.labels;
-  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, halves.labels), std::vector<bool>(2, false));
+  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, halves.labels), List<bool>(2, false));
   EXPECT_EQ(halves.labels, before);
 }
 

@@ -20,8 +20,8 @@ using test::pointOn;
 
 TEST(Clustering, AveragesByVotes) {
   const Sphere a = {Vec3(0, 0, 1), 0.100}, b = {Vec3(0, 0, 1.004), 0.104};
-  std::vector<Candidate> candidates = {candidate(a, pointOn(a, -Vec3::UnitZ()), 30.0),
-                                       candidate(b, pointOn(b, -Vec3::UnitZ()), 10.0)};
+  List<Candidate> candidates = {candidate(a, pointOn(a, -Vec3::UnitZ()), 30.0),
+                                candidate(b, pointOn(b, -Vec3::UnitZ()), 10.0)};
   clusterCandidates(candidates, presetParams("paper"), 2.0);
   ASSERT_EQ(candidates.size(), 1u);
   EXPECT_NEAR(std::get<Sphere>(candidates[0].shape).radius, 0.101, 1e-12);
@@ -32,7 +32,7 @@ TEST(Clustering, AveragesByVotes) {
 
 TEST(Clustering, MergesAveragesThatComeToAgree) {
   // Spheres in a row along z: each agrees with its neighbour, the outer ones only with the average of the others.
-  std::vector<Candidate> candidates;
+  List<Candidate> candidates;
   const double tops[] = {0.0, 0.012, 0.024};
   const double votes[] = {10.0, 30.0, 20.0};
   for (int k = 0; k < 3; ++k) {
@@ -41,7 +41,7 @@ TEST(Clustering, MergesAveragesThatComeToAgree) {
   }
   // 0.01 d_s = 13 mm: all three agree with the middle one, so one cluster; with the middle one weakest it takes two
   // passes.
-  std::vector<Candidate> middle_weakest = candidates;
+  List<Candidate> middle_weakest = candidates;
   middle_weakest[1].votes = 5.0;
   clusterCandidates(candidates, presetParams("paper"), 1.3);
   EXPECT_EQ(candidates.size(), 1u);
@@ -51,8 +51,8 @@ TEST(Clustering, MergesAveragesThatComeToAgree) {
 
 TEST(Clustering, WithNmsKeepsTheStrongest) {
   const Sphere a = {Vec3(0, 0, 1), 0.100}, b = {Vec3(0, 0, 1.004), 0.104};
-  std::vector<Candidate> candidates = {candidate(b, pointOn(b, -Vec3::UnitZ()), 10.0),
-                                       candidate(a, pointOn(a, -Vec3::UnitZ()), 30.0)};
+  List<Candidate> candidates = {candidate(b, pointOn(b, -Vec3::UnitZ()), 10.0),
+                                candidate(a, pointOn(a, -Vec3::UnitZ()), 30.0)};
   clusterCandidates(candidates, presetParams("drost"), 2.0);
   ASSERT_EQ(candidates.size(), 1u);
   EXPECT_EQ(std::get<Sphere>(candidates[0].shape).radius, 0.100);
@@ -61,8 +61,8 @@ TEST(Clustering, WithNmsKeepsTheStrongest) {
 TEST(Clustering, AveragesCylinderAxesOfEitherSign) {
   const Cylinder a = {Vec3(0, 0, 1), Vec3(0.05, 1, 0).normalized(), 0.1};
   const Cylinder b = {Vec3(0, 0.1, 1), Vec3(0.05, -1, 0).normalized(), 0.1};
-  std::vector<Candidate> candidates = {candidate(a, {Vec3(0, 0, 0.9), -Vec3::UnitZ()}, 10.0),
-                                       candidate(b, {Vec3(0, 0.1, 0.9), -Vec3::UnitZ()}, 10.0)};
+  List<Candidate> candidates = {candidate(a, {Vec3(0, 0, 0.9), -Vec3::UnitZ()}, 10.0),
+                                candidate(b, {Vec3(0, 0.1, 0.9), -Vec3::UnitZ()}, 10.0)};
   clusterCandidates(candidates, presetParams("paper"), 2.0);
   ASSERT_EQ(candidates.size(), 1u);
   EXPECT_LT(test::lineAngle(std::get<Cylinder>(candidates[0].shape).axis, Vec3::UnitY()), 1e-6);
@@ -74,7 +74,7 @@ TEST(Clustering, KeepsKindsDistancesAndNormalsApart) {
   const Plane near = {Vec3(0, 0, 0.9), -Vec3::UnitZ()};
   const Plane far = {Vec3(0, 0, 0.925), -Vec3::UnitZ()};                                             // 0.01 d_s = 20 mm
   const Plane tilted = {Vec3(0, 0, 0.9), -Vec3(0, std::sin(21 * kDegree), std::cos(21 * kDegree))};  // 20 deg
-  std::vector<Candidate> candidates;
+  List<Candidate> candidates;
   for (const Plane& plane : {near, far, tilted})
     candidates.push_back(candidate(plane, {plane.point, plane.normal}, 10.0));
   candidates.push_back(candidate(sphere, pointOn(sphere, -Vec3::UnitZ()), 10.0));
@@ -89,7 +89,7 @@ Candidate tubeCandidate(double radius, double votes) {
 }
 
 TEST(Clustering, AveragesShapesSeenFromInside) {
-  std::vector<Candidate> candidates = {tubeCandidate(0.100, 30.0), tubeCandidate(0.104, 10.0)};
+  List<Candidate> candidates = {tubeCandidate(0.100, 30.0), tubeCandidate(0.104, 10.0)};
   clusterCandidates(candidates, presetParams("paper"), 2.0);
   ASSERT_EQ(candidates.size(), 1u);
   EXPECT_NEAR(std::get<Cylinder>(candidates[0].shape).radius, 0.101, 1e-12);
@@ -97,7 +97,7 @@ TEST(Clustering, AveragesShapesSeenFromInside) {
 }
 
 TEST(Clustering, WithNmsKeepsTheSideOfTheStrongest) {
-  std::vector<Candidate> candidates = {tubeCandidate(0.100, 30.0), tubeCandidate(0.104, 10.0)};
+  List<Candidate> candidates = {tubeCandidate(0.100, 30.0), tubeCandidate(0.104, 10.0)};
   clusterCandidates(candidates, presetParams("drost"), 2.0);
   ASSERT_EQ(candidates.size(), 1u);
   EXPECT_TRUE(candidates[0].concave);
@@ -106,7 +106,7 @@ TEST(Clustering, WithNmsKeepsTheSideOfTheStrongest) {
 TEST(Clustering, KeepsTheSidesOfOneShapeApart) {
   // A thin tube seen from both sides: the same cylinder, found outside and inside.
   const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitX(), 0.1};
-  std::vector<Candidate> candidates = {tubeCandidate(0.1, 10.0), candidate(tube, pointOn(tube, 0.0, 0.0), 10.0)};
+  List<Candidate> candidates = {tubeCandidate(0.1, 10.0), candidate(tube, pointOn(tube, 0.0, 0.0), 10.0)};
   clusterCandidates(candidates, presetParams("paper"), 2.0);
   EXPECT_EQ(candidates.size(), 2u);
 }
@@ -123,7 +123,7 @@ TEST(Agreement, OfShapesSeenFromInsideTakesTheInwardNormalAndTheSameSide) {
 }
 
 TEST(Clustering, SortsByVotes) {
-  std::vector<Candidate> candidates;
+  List<Candidate> candidates;
   for (int k = 0; k < 5; ++k) {
     const Plane plane = {Vec3(0, 0, 1.0 + 0.1 * k), -Vec3::UnitZ()};
     candidates.push_back(candidate(plane, {plane.point, plane.normal}, 10.0 + (k * 3) % 5));

@@ -47,10 +47,10 @@ TEST(Competition, FindsAThinTubeThatTurnsFar) {
 }
 
 TEST(Competition, TakesNoCylinderForARoundedEdgeFarAway) {
-  // The noise of its points, 1.8 m away and more, is 5 mm: 35 mm are less than 8 times that, 50 mm are more.
+  // The noise of its points, 1.8 m away and more, is 5 mm: 28 mm are less than 6.5 times that, 40 mm are more.
   constexpr double kFar = 1.8, kNoise = 0.004;
-  EXPECT_NE(winnerOnTube(0.035, kFar, kNoise), Kind::cylinder);
-  EXPECT_EQ(winnerOnTube(0.050, kFar, kNoise), Kind::cylinder);
+  EXPECT_NE(winnerOnTube(0.028, kFar, kNoise), Kind::cylinder);
+  EXPECT_EQ(winnerOnTube(0.040, kFar, kNoise), Kind::cylinder);
 }
 
 }  // namespace

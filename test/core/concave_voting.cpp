@@ -28,7 +28,7 @@ Params paperWith(const char* convexity) {
 }
 
 /// Each shape's surface holds its reference, whose normal is the shape's inward one and still points to the sensor.
-void expectSeenFromInside(const std::vector<Candidate>& candidates) {
+void expectSeenFromInside(const List<Candidate>& candidates) {
   EXPECT_FALSE(candidates.empty());
   for (const Candidate& candidate : candidates) {
     EXPECT_TRUE(candidate.concave);
@@ -41,7 +41,7 @@ void expectSeenFromInside(const std::vector<Candidate>& candidates) {
 TEST(ConcaveVotes, FindTheInsideOfASphere) {
   Random random(41);
   const Sphere sphere = {Vec3(0.1, 0.0, 1.0), 0.1033};
-  const std::vector<Candidate> candidates = candidatesOf(bowlOf(sphere, 300, random), 2.0, paperWith("concave"));
+  const List<Candidate> candidates = candidatesOf(bowlOf(sphere, 300, random), 2.0, paperWith("concave"));
   expectSeenFromInside(candidates);
   test::expectExact(shapesOf<Sphere>(candidates), sphere);
 }
@@ -52,7 +52,7 @@ TEST(ConcaveVotes, FindTheWallOfATube) {
   params.detect_cones = false;
   for (int trial = 0; trial < 5; ++trial) {
     const Cylinder tube = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), random.uniform(0.06, 0.2)};
-    const std::vector<Candidate> candidates = candidatesOf(wallOf(tube, 400, -0.2, 0.2, random), 2.0, params);
+    const List<Candidate> candidates = candidatesOf(wallOf(tube, 400, -0.2, 0.2, random), 2.0, params);
     expectSeenFromInside(candidates);
     expectWithinBins(shapesOf<Cylinder>(candidates), tube);
   }
@@ -64,7 +64,7 @@ TEST(ConcaveVotes, FindTheInsideOfACone) {
   params.detect_planes = params.detect_cylinders = params.detect_spheres = false;
   for (int trial = 0; trial < 6; ++trial) {
     const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
-    const std::vector<Candidate> candidates = candidatesOf(wallOf(cone, 500, 0.05, 0.3, random), 2.0, params);
+    const List<Candidate> candidates = candidatesOf(wallOf(cone, 500, 0.05, 0.3, random), 2.0, params);
     expectSeenFromInside(candidates);
     SCOPED_TRACE(trial);
     expectWithinBins(shapesOf<Cone>(candidates), cone);
@@ -100,7 +100,7 @@ TEST(ConcaveVotes, LeavePlanesPlanes) {
   const Plane plane = {Vec3(0.0, 0.2, 1.0), Vec3(0.1, -0.9, -0.3).normalized()};
   const std::vector<SurfacePoint> points = patchOf(plane, 200, 0.2, random);
   for (const char* convexity : {"concave", "both"}) {
-    const std::vector<Candidate> candidates = candidatesOf(points, 2.0, paperWith(convexity));
+    const List<Candidate> candidates = candidatesOf(points, 2.0, paperWith(convexity));
     EXPECT_GT(shapesOf<Plane>(candidates).size(), 150u) << convexity;
     for (const Candidate& candidate : candidates) EXPECT_FALSE(candidate.concave);
   }

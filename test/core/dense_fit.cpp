@@ -44,7 +44,7 @@ std::vector<SurfacePoint> pointsOfCan() {
 
 Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
   FitPoints fit_points;
-  const std::vector<std::uint32_t> all = test::allOf(points);
+  const List<std::uint32_t> all = test::allOf(points);
   fit_points.gather({points, all});
   return refineOnPoints(shape, fit_points, {params, 0.4});
 }
@@ -59,6 +59,22 @@ TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {
     EXPECT_NEAR(std::get<Cone>(found).half_angle, 10.0 * kDegree, 3.0 * 4.0 * kNoise / 0.05 / std::sqrt(3000.0));
     EXPECT_GT(std::get<Cone>(found).axis.dot(kCan.axis), 0.999);
   }
+}
+
+TEST(RefineOnPoints, TurnsACylinderThatLeansAlongTheSeenSideOfAConeIntoTheCone) {
+  // Of a cone that stands upright the camera sees one side; the cylinder that fits it best lies along that side.
+  constexpr double kHalfAngle = 9.0 * kDegree, kRadius = 0.2, kReach = 0.2;
+  const double height = kRadius / std::tan(kHalfAngle);
+  const Cone cone = {Vec3(0, -height, 2), Vec3(0, 1, 0), kHalfAngle};
+  Random random(56);
+  const Samples points = noisySamples(patchOf(cone, 3000, height - kReach, height + kReach, random), 0.0, random);
+  const SurfacePoint seen = test::pointOn(cone, height, -0.5 * M_PI);
+  ASSERT_LT(seen.normal.z(), -0.9);
+  const Vec3 along = (seen.point - cone.apex).normalized();
+  const double radius = kRadius / std::cos(kHalfAngle);
+  const Shape found = refined(Cylinder{seen.point - radius * seen.normal, along, radius}, points);
+  ASSERT_EQ(kindOf(found), Kind::cone);
+  EXPECT_NEAR(std::get<Cone>(found).half_angle, kHalfAngle, 3.0 * 4.0 * kNoise / kReach / std::sqrt(3000.0));
 }
 
 TEST(RefineOnPoints, LeavesACylinderACylinder) {
@@ -116,7 +132,7 @@ TEST(RefineOnPoints, LeavesOutPointsBeyondTheNoise) {
 TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   std::vector<std::uint32_t> labels(10000, 0);
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = i < 9000 ? i % 2 : 2;
-  std::vector<LabelledPoints> points;
+  List<LabelledPoints> points;
   pointsOfLabels(labels, 3, 1000, points);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].all, 4500u);
@@ -129,7 +145,7 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
     for (const std::uint32_t i : points[k].index) EXPECT_EQ(labels[i], k + 1);
   }
   // Evenly: the mean place is the middle of all of them.
-  const std::vector<std::uint32_t>& first = points[0].index;
+  const List<std::uint32_t>& first = points[0].index;
   const double mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
   EXPECT_NEAR(mean, 4500.0, 50.0);
 }
@@ -139,7 +155,7 @@ TEST(FitPoints, OfWhatWasSeenAreThoseOfSamplesThere) {
     const Samples samples = samplesWith(noise, pointsOfCan());
     std::vector<Vec3> places;
     for (std::size_t k = 0; k < samples.size(); ++k) places.push_back(samples.point(k));
-    const std::vector<std::uint32_t> all = test::allOf(samples);
+    const List<std::uint32_t> all = test::allOf(samples);
     FitPoints expected, found;
     expected.gather({samples, all});
     found.gather(places, noise);

@@ -38,7 +38,7 @@ class Scene {
 
  private:
   std::vector<SurfacePoint> points_;
-  std::vector<std::uint32_t> owner_;
+  List<std::uint32_t> owner_;
 };
 
 /// A patch of a large ball, cut in two: the cap within 30 deg of the view, and what goes on around it.

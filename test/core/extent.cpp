@@ -83,6 +83,15 @@ TEST(Extent, OfAPlaneLeavesOutWhatLiesElsewhereInIt) {
   for (const Vec3& corner : extent.hull) EXPECT_LT(corner.norm(), 1.1);
 }
 
+TEST(Extent, OfAPlaneGoesAroundLargePartsThatSomethingInFrontSeparates) {
+  Random random(40);
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  std::vector<Vec3> points = pointsOf(patchOf(plane, 200, 0.05, random));
+  for (const Vec3& point : pointsOf(patchOf(plane, 100, 0.04, random))) points.push_back(point + Vec3(0.3, 0, 0));
+  // From -0.05 to 0.34 m, less what no point happens to lie near.
+  EXPECT_NEAR(measureExtent(plane, points).size.x(), 0.39, 0.02);
+}
+
 TEST(Extent, OfAThinStripIsTheWholeStrip) {
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   std::vector<Vec3> points;

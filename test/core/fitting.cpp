@@ -17,7 +17,7 @@ using test::SurfacePoint;
 struct Scene {
   Shape truth;
   Samples samples;
-  std::vector<std::uint32_t> all;
+  List<std::uint32_t> all;
 
   Scene(const Shape& shape, const std::vector<SurfacePoint>& points)
       : truth(shape), samples(test::samplesOf(points)), all(test::allOf(samples)) {}
@@ -179,7 +179,7 @@ TEST(Refinement, FindsASlenderConeFromOneThatTapersLessOrMore) {
     const double middle = kRadius / std::tan(half_angle);
     const Samples samples =
         test::samplesOf(test::patchOf(throughCircle(half_angle), 500, middle - 0.05, middle + 0.05, random));
-    const std::vector<std::uint32_t> all = test::allOf(samples);
+    const List<std::uint32_t> all = test::allOf(samples);
     for (const double start : {0.1, 0.2}) {
       const auto found = refine(throughCircle(start), {samples, all}, [](const Vec3&) { return 0.01; });
       ASSERT_TRUE(found) << half_angle << " from " << start;

@@ -183,6 +183,21 @@ TEST(Score, DoesNotCountSamplesThatOthersHoldWellAgainstAShape) {
   EXPECT_GT(hypothesis.score, alone + 20.0);
 }
 
+TEST(Score, DoesNotCountSamplesBeyondTheReachOfAShapeAgainstIt) {
+  // A block of samples on the plane, then a block 1 m away within the plane, 1.5 tolerances above it.
+  std::vector<SurfacePoint> points;
+  for (int k = 0; k < 64; ++k) points.push_back(pointOn(kPlane, 0.001 * k, 0.0));
+  for (int k = 0; k < 64; ++k) points.push_back(strayed(pointOn(kPlane, 1.0 + 0.001 * k, 0.0), 1.5 * kTolerance, 0.0));
+  const Samples samples = samplesWith(kNoiseModel, points);
+  Hypothesis hypothesis = hypothesisOf(kPlane, samples);
+  EXPECT_LT(hypothesis.score, 0.0);
+  hypothesis.middle = points[32].point;
+  hypothesis.reach = 0.05;
+  evaluate(samples, HeldGains(samples.size(), 0.0f), 1.0, hypothesis);
+  EXPECT_NEAR(hypothesis.score, 64.0 - priceOf(Kind::plane, 64.0), 64.0 * kRounding);
+  EXPECT_EQ(hypothesis.support.size(), 64u);
+}
+
 TEST(Price, GrowsWithTheParametersOfTheKindAndWithTheInliers) {
   for (const double inliers : {0.0, 25.0, 1000.0}) {
     EXPECT_GE(priceOf(Kind::plane, inliers), 0.0);
@@ -214,7 +229,7 @@ TEST(Withhold, TakesSamplesFromTheSupportAndTheirGainsFromTheSum) {
   withhold({0, 1, 2}, hypothesis);
   EXPECT_EQ(hypothesis.inliers, before - 3);
   EXPECT_NEAR(hypothesis.gain_sum, sum - 3.0, 3 * kRounding);
-  std::vector<std::uint32_t> left;
+  List<std::uint32_t> left;
   inliersOf(hypothesis, left);
   EXPECT_EQ(left.front(), 3u);
 }
@@ -235,7 +250,7 @@ TEST(InliersAround, AreTheInliersWithinReach) {
   const Samples samples = samplesWith(kNoiseModel, test::patchOf(kPlane, 2000, 1.0, random));
   constexpr double kReach = 0.2;
   const Hypothesis all = hypothesisOf(kPlane, samples);
-  std::vector<std::uint32_t> expected, around;
+  List<std::uint32_t> expected, around;
   inliersOf(all, expected);
   const auto far = [&](std::uint32_t i) { return (samples.point(i) - samples.point(0)).norm() > kReach; };
   expected.erase(std::remove_if(expected.begin(), expected.end(), far), expected.end());

@@ -134,7 +134,7 @@ TEST(Unexplained, AreThePointsWithoutALabel) {
   Labeling labeling;
   labeling.begin(cloud);
   std::vector<std::uint32_t> labels;
-  std::vector<std::uint64_t> unexplained;
+  List<std::uint64_t> unexplained;
   for (const std::size_t count : {items.size(), std::size_t{1}, std::size_t{0}}) {
     const std::vector<Detection> some(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count));
     labeling.label(some, kOfDepthCamera, labeling.allRuns(), labels);

@@ -136,19 +136,19 @@ TEST(Detections, AreAsNearToTheTruthAsThousandsOfPointsAllow) {
 TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   Random random(42);
   const Cloud cloud = test::cloudOf(measured(patchOf(kBall, 1000, random), kNoise, 0.05, random));
-  std::vector<std::uint32_t> all(1000);
+  List<std::uint32_t> all(1000);
   std::iota(all.begin(), all.end(), 0u);
   Params params;
   params.max_radius = 0.0795;
   Detection detection;
   detection.shape = Sphere{kBall.center, 0.079};
-  const Detection kept =
-      Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).of(detection, {all, 4000}, all);
+  Detection kept = detection;
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).measure({all, 4000}, all, kept);
   EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
   EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
   params.max_radius = 0.0;
-  const Detection fitted =
-      Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).of(detection, {all, 4000}, all);
+  Detection fitted = detection;
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).measure({all, 4000}, all, fitted);
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
@@ -159,14 +159,13 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   for (const test::SurfacePoint& p : patchOf(Sphere{kBall.center + away, kBall.radius}, 200, random))
     points.push_back(p);
   const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
-  std::vector<std::uint32_t> own(1000), clear(200);
+  List<std::uint32_t> own(1000), clear(200);
   std::iota(own.begin(), own.end(), 0u);
   std::iota(clear.begin(), clear.end(), 1000u);
   const Params params;
-  Detection detection;
-  detection.shape = kBall;
-  const Detection kept =
-      Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).of(detection, {own, 1000}, clear);
+  Detection kept;
+  kept.shape = kBall;
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).measure({own, 1000}, clear, kept);
   EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
   EXPECT_LT(kept.rms_error, 2.0 * kNoise);
 }

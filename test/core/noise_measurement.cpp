@@ -53,7 +53,7 @@ TEST(MeasuredNoise, ComesFromWhatFitsBestWhenOtherCandidatesAreNoShapes) {
   }
   const ProposalRules rules = rulesBeforeMeasuring(params);
   const Samples samples = samplesWith(rules.noise, points);
-  std::vector<Candidate> candidates;
+  List<Candidate> candidates;
   for (std::uint32_t k = 0; k < 7; ++k) {
     candidates.push_back(proposalAt(Plane{kWall.point + Vec3(1, 0, 0), kWall.normal}, samples, 600 + 50 * k));
   }

@@ -121,7 +121,7 @@ TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
 TEST(WindowNormals, AreFoundInAnImageThatLostItsOrder) {
   const Vec3 normal = Vec3(0.3, -0.2, 1.0).normalized();
   const Cloud image = cameraCloud(normal, 1.0);
-  std::vector<std::uint32_t> order(image.size());
+  List<std::uint32_t> order(image.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   Random random(35);
   for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
@@ -146,7 +146,7 @@ TEST(NeighborNormals, OfPointsOnALineOrInOnePlaceAreMissing) {
   Cloud line;
   line.reset(20, 1, false);
   for (std::size_t i = 0; i < 20; ++i) line.setPoint(i, 0.1f * static_cast<float>(i), 0.0f, 1.0f, {});
-  std::vector<std::uint32_t> all(20);
+  List<std::uint32_t> all(20);
   for (std::uint32_t i = 0; i < 20; ++i) all[i] = i;
   EXPECT_FALSE(planeNormal(line, all));
   for (std::size_t i = 0; i < 20; ++i) line.x[i] = 1.0f;

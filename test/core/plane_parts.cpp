@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/noise.h"
@@ -84,8 +85,8 @@ Samples withNoise(double sigma, Samples samples) {
   return samples;
 }
 
-std::vector<std::uint32_t> range(std::uint32_t begin, std::uint32_t end) {
-  std::vector<std::uint32_t> indices;
+List<std::uint32_t> range(std::uint32_t begin, std::uint32_t end) {
+  List<std::uint32_t> indices;
   for (std::uint32_t i = begin; i < end; ++i) indices.push_back(i);
   return indices;
 }
@@ -108,6 +109,16 @@ TEST(CoplanarGroups, AreOneWhereTheStepIsNoMoreThanTheWavesOfADepthCamera) {
   const SampleParts groups = groupsOfTops(0.001, 77);
   ASSERT_EQ(groups.size(), 1u);
   EXPECT_EQ(groups[0], range(0, 240));
+}
+
+TEST(CoplanarGroups, AreTwoTopsThatATiltedPlaneLiesAskewTo) {
+  // 1.2 mm off at most, less than the noise; but 1.4 deg off all normals, each of which is good to 1.5.
+  Random random(79);
+  Samples samples = withNoise(0.002, twoTops(120, 0.003, random));
+  const SampleParts parts = {range(0, 120), range(120, 240)};
+  EXPECT_EQ(coplanarGroups(samples, parts).size(), 1u);
+  std::fill(samples.normal_sigma.begin(), samples.normal_sigma.end(), 0.026f);
+  EXPECT_EQ(coplanarGroups(samples, parts).size(), 2u);
 }
 
 TEST(CoplanarGroups, JoinPartsOfOneHeightAcrossThatOfAnother) {

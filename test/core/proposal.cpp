@@ -30,7 +30,7 @@ const Plane kWall = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
 ProposalRules rulesOf(const Params& params) { return {kNoiseModel, {params, 0.4}, 3.0, 0.3}; }
 
 struct Proposed {
-  std::vector<Hypothesis> pool;
+  List<Hypothesis> pool;
   Refusals refusals;
 
   /// The pool holds one of this kind and none of the others.
@@ -39,7 +39,7 @@ struct Proposed {
   }
 };
 
-Proposed proposed(const Samples& samples, const std::vector<Candidate>& candidates, const Params& params = Params()) {
+Proposed proposed(const Samples& samples, const List<Candidate>& candidates, const Params& params = Params()) {
   SampleGraph graph;
   graph.build(samples);
   Proposed result;
@@ -131,7 +131,7 @@ TEST(Proposal, IsSkippedWhereTheReferenceIsExplainedAlready) {
 TEST(Proposal, ThatComesToWhatIsKnownIsNotAddedAgain) {
   Random random(79);
   const Samples samples = noisy(patchOf(kBall, 300, random), 8);
-  const std::vector<Candidate> candidates = {proposalAt(kBall, samples, 0)};
+  const List<Candidate> candidates = {proposalAt(kBall, samples, 0)};
   Proposed result = proposed(samples, candidates);
   ASSERT_EQ(result.pool.size(), 1u);
   SampleGraph graph;
@@ -219,7 +219,7 @@ TEST(Proposal, KeepsTwoParallelDiscsApart) {
   SampleGraph graph;
   graph.build(samples);
   const Params params;
-  std::vector<Hypothesis> pool;
+  List<Hypothesis> pool;
   Refusals refusals;
   Proposer proposer;
   proposer.begin(HeldGains(samples.size(), 0.0f));

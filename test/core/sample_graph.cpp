@@ -31,16 +31,16 @@ Samples columnsWith(int columns, int column_after_gap, double gap) {
   return samplesAt(points);
 }
 
-std::vector<std::uint32_t> range(std::uint32_t first, std::uint32_t end) {
-  std::vector<std::uint32_t> indices(end - first);
+List<std::uint32_t> range(std::uint32_t first, std::uint32_t end) {
+  List<std::uint32_t> indices(end - first);
   std::iota(indices.begin(), indices.end(), first);
   return indices;
 }
 
-std::vector<std::uint32_t> partOf(const Samples& samples, const std::vector<std::uint32_t>& set, std::uint32_t start) {
+List<std::uint32_t> partOf(const Samples& samples, const List<std::uint32_t>& set, std::uint32_t start) {
   SampleGraph graph;
   graph.build(samples);
-  std::vector<std::uint32_t> part;
+  List<std::uint32_t> part;
   graph.connected(
       start, [&set](std::uint32_t i) { return std::binary_search(set.begin(), set.end(), i); }, part);
   return part;
@@ -54,15 +54,15 @@ TEST(SampleGraph, HoldsTheNearestOfAllOthers) {
   SampleGraph graph;
   graph.build(samples);
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    std::vector<std::uint32_t> others;
+    List<std::uint32_t> others;
     for (std::uint32_t j = 0; j < samples.size(); ++j) {
       if (j != i) others.push_back(j);
     }
     std::sort(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
       return (samples.point(a) - samples.point(i)).norm() < (samples.point(b) - samples.point(i)).norm();
     });
-    std::vector<std::uint32_t> nearest(others.begin(), others.begin() + SampleGraph::kNeighbors);
-    std::vector<std::uint32_t> found(graph.of(i).begin(), graph.of(i).end());
+    List<std::uint32_t> nearest(others.begin(), others.begin() + SampleGraph::kNeighbors);
+    List<std::uint32_t> found(graph.of(i).begin(), graph.of(i).end());
     std::sort(nearest.begin(), nearest.end());
     std::sort(found.begin(), found.end());
     ASSERT_EQ(found, nearest) << i;
@@ -122,7 +122,7 @@ TEST(SampleGraph, IsBuiltAnewForOtherSamples) {
   graph.build(samplesAt({Vec3(0, 0, 1), Vec3(0.1, 0, 1)}));
   for (const std::uint32_t j : graph.of(0)) EXPECT_LT(j, 2u);
   graph.build(samplesAt({}));
-  std::vector<std::uint32_t> part = {7};
+  List<std::uint32_t> part = {7};
   graph.build(samplesAt({Vec3(0, 0, 1)}));
   graph.connected(
       0, [](std::uint32_t i) { return i == 0; }, part);
@@ -141,8 +141,8 @@ TEST(Connected, StopsAtAGapInSpace) {
 
 TEST(Connected, StopsWhereSamplesAreNotInTheSet) {
   // Eight neighbours reach two columns at most: four columns that are missing are a gap.
-  std::vector<std::uint32_t> set = range(0, 80);
-  const std::vector<std::uint32_t> right = range(120, 200);
+  List<std::uint32_t> set = range(0, 80);
+  const List<std::uint32_t> right = range(120, 200);
   set.insert(set.end(), right.begin(), right.end());
   EXPECT_EQ(partOf(columnsWith(20, 20, 0.0), set, 3), range(0, 80));
   EXPECT_EQ(partOf(columnsWith(20, 20, 0.0), set, 199), right);
@@ -150,9 +150,9 @@ TEST(Connected, StopsWhereSamplesAreNotInTheSet) {
 
 TEST(Connected, BeginsAtNeighborsOfAStartOutsideOfTheSet) {
   const Samples samples = columnsWith(20, 12, 0.1);
-  std::vector<std::uint32_t> set = range(0, 200);
+  List<std::uint32_t> set = range(0, 200);
   set.erase(set.begin() + 55);
-  std::vector<std::uint32_t> left = range(0, 120);
+  List<std::uint32_t> left = range(0, 120);
   left.erase(left.begin() + 55);
   EXPECT_EQ(partOf(samples, set, 55), left);
   EXPECT_TRUE(partOf(samples, range(120, 200), 55).empty());

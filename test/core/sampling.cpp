@@ -32,7 +32,7 @@ struct Draws {
   }
   /// Only points without a label are free.
   void keepWithout(const std::vector<std::uint32_t>& labels) {
-    std::vector<std::uint64_t> bits(runs.size(), 0);
+    List<std::uint64_t> bits(runs.size(), 0);
     for (std::size_t i = 0; i < labels.size(); ++i) {
       if (labels[i] == 0) bits[i / kernels::kPointsPerRun] |= std::uint64_t{1} << i % kernels::kPointsPerRun;
     }
@@ -187,14 +187,14 @@ TEST(Sampling, BeginsAnewWithEveryFrame) {
 
 TEST(SpaceCurve, GoesFromCellToNeighborAndLeavesNoneOut) {
   constexpr std::size_t kSide = 8, kCells = kSide * kSide * kSide;
-  std::vector<float> x, y, z;
+  List<float> x, y, z;
   for (std::size_t k = 0; k < kCells; ++k) {
     x.push_back(static_cast<float>(k / kSide / kSide) + 0.5f),
         y.push_back(static_cast<float>(k / kSide % kSide) + 0.5f);
     z.push_back(static_cast<float>(k % kSide) + 0.5f);
   }
   for (const kernels::Loops* table : kernels::allLoops()) {
-    std::vector<std::uint32_t> place(kCells);
+    List<std::uint32_t> place(kCells);
     table->places({{0.0f, 0.0f, 0.0f}, 1.0f}, x.data(), y.data(), z.data(), kCells, place.data());
     std::vector<Vec3> cell_at(kCells, Vec3(-1, -1, -1));
     for (std::size_t k = 0; k < kCells; ++k) {
@@ -207,14 +207,14 @@ TEST(SpaceCurve, GoesFromCellToNeighborAndLeavesNoneOut) {
 
 TEST(SpaceCurve, KeepsItsOrderBesideAPointFarAway) {
   Random random(32);
-  std::vector<float> x, y, z;
+  List<float> x, y, z;
   for (int i = 0; i < 1000; ++i) {
     x.push_back(static_cast<float>(random.uniform())), y.push_back(static_cast<float>(random.uniform()));
     z.push_back(1.0f);
   }
   x[500] = 1e5f;
   SpaceCurve curve;
-  const std::vector<std::uint32_t>& order = curve.order(x, y, z);
+  const List<std::uint32_t>& order = curve.order(x, y, z);
   ASSERT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), 1000u);
   double step = 0.0;
   for (std::size_t k = 1; k < 999; ++k) {

@@ -31,7 +31,7 @@ TEST(Segmentation, ExplainsEachSampleAtMostOnce) {
   Params few;
   few.min_inliers = 30;
   const Sphere double_of_a = {Vec3(0, 0, 1.002), 0.101};
-  std::vector<Segment> segments;
+  List<Segment> segments;
   selectSegments(samples,
                  {candidate(a, points[0], 9), candidate(double_of_a, points[0], 5), candidate(b, points[150], 3)}, few,
                  kTolerance, segments);
@@ -49,7 +49,7 @@ TEST(Segmentation, AsksForDistanceNormalAndNumber) {
   for (int k = 0; k < 15; ++k) points[k].normal = Vec3::UnitX();
   Params params;
   params.min_inliers = 15;
-  std::vector<Segment> segments;
+  List<Segment> segments;
   selectSegments(test::samplesOf(points), {candidate(plane, points[20], 9)}, params, kTolerance, segments);
   ASSERT_EQ(segments.size(), 1u);
   EXPECT_EQ(segments[0].inliers.size(), 15u);

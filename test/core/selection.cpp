@@ -29,15 +29,14 @@ constexpr std::size_t kFewest = 25;
 const Sphere kBall = {Vec3(-0.15, 0, 1), 0.08};
 const Sphere kOtherBall = {Vec3(0.15, 0, 1), 0.06};
 
-std::vector<Hypothesis> poolOf(const std::vector<Shape>& shapes, const Samples& samples) {
-  std::vector<Hypothesis> pool;
+List<Hypothesis> poolOf(const std::vector<Shape>& shapes, const Samples& samples) {
+  List<Hypothesis> pool;
   for (const Shape& shape : shapes) pool.push_back(hypothesisOf(shape, samples));
   return pool;
 }
 
-std::vector<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samples& samples,
-                                    std::size_t fewest = kFewest) {
-  std::vector<std::uint32_t> chosen = selectHypotheses(samples, poolOf(shapes, samples), fewest).chosen;
+List<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samples& samples, std::size_t fewest = kFewest) {
+  List<std::uint32_t> chosen = selectHypotheses(samples, poolOf(shapes, samples), fewest).chosen;
   std::sort(chosen.begin(), chosen.end());
   return chosen;
 }
@@ -54,7 +53,7 @@ SurfacePoint pointAt(const Plane& plane, double x, double y) {
   return {p, plane.normal};
 }
 
-using Indices = std::vector<std::uint32_t>;
+using Indices = List<std::uint32_t>;
 
 TEST(Selection, OfNothingIsNothing) {
   EXPECT_TRUE(selectHypotheses(Samples(), {}, kFewest).chosen.empty());
@@ -143,7 +142,7 @@ TEST(Selection, ExchangesALargeWrongShapeForTwoRightOnes) {
   const double radius = 0.08 / (2.0 * bend);
   const Cylinder cylinder = {Vec3(0, 0, 1.0 + radius + 0.0007), Vec3(0, 1, 0), radius};
   const std::vector<Shape> shapes = {cylinder, left, right};
-  const std::vector<Hypothesis> pool = poolOf(shapes, samples);
+  const List<Hypothesis> pool = poolOf(shapes, samples);
   ASSERT_GT(pool[0].score, pool[1].score);
   ASSERT_GT(pool[0].score, pool[2].score);
   EXPECT_EQ(chosenOf(shapes, samples), (Indices{1, 2}));

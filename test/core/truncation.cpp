@@ -37,9 +37,9 @@ struct View {
   }
 
   /// One in forty of the surface's pixels, as samples are.
-  std::vector<std::uint32_t> samplesOf(int surface) const {
+  List<std::uint32_t> samplesOf(int surface) const {
     Random random(seed);
-    std::vector<std::uint32_t> samples;
+    List<std::uint32_t> samples;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       if (frame.surface[i] == surface && cloud.valid(i) && random.below(40) == 0) {
         samples.push_back(static_cast<std::uint32_t>(i));
@@ -53,7 +53,7 @@ struct View {
   }
 
   int truncationOf(int surface) const {
-    const std::vector<std::uint32_t> samples = samplesOf(surface);
+    const List<std::uint32_t> samples = samplesOf(surface);
     std::vector<Vec3> points;
     for (const std::uint32_t i : samples) points.emplace_back(cloud.x[i], cloud.y[i], cloud.z[i]);
     const auto noise = [](const Vec3& p) { return std::max(synthetic::axialSigma(p.z()), 0.003 * p.z()); };

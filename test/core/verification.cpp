@@ -29,7 +29,7 @@ const Sphere kBall = {Vec3(-0.2, 0, 1), 0.08};
 const Cylinder kCan = {Vec3(0.2, 0, 1), Vec3(0, -1, 0), 0.06};
 
 /// Samples of a round and what they vote for, strongest first.
-void addRound(Verification& verification, const Samples& samples, std::vector<Candidate> candidates) {
+void addRound(Verification& verification, const Samples& samples, List<Candidate> candidates) {
   for (Candidate& candidate : candidates) {
     candidate.sample += static_cast<std::uint32_t>(verification.samples().size());
   }
@@ -46,7 +46,7 @@ class Frame {
     verification_.begin({diameter, false});
   }
   void round(const std::vector<SurfacePoint>& points) {
-    std::vector<Candidate> candidates = test::candidatesOf(points, diameter_, params_);
+    List<Candidate> candidates = test::candidatesOf(points, diameter_, params_);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
     if (verification_.samples().size() == 0) verification_.measureNoise(test::samplesOf(points), candidates);
@@ -58,7 +58,7 @@ class Frame {
   }
 
   const Verification& verification() const { return verification_; }
-  const std::vector<Segment>& segments() const { return verification_.segments(); }
+  const List<Segment>& segments() const { return verification_.segments(); }
   std::vector<const Segment*> of(Kind kind) const {
     std::vector<const Segment*> found;
     for (const Segment& segment : segments()) {
@@ -140,7 +140,7 @@ TEST(Verification, ForgetsTheLastFrame) {
     verification->begin({kDiameter, false});
     EXPECT_TRUE(verification->segments().empty());
     EXPECT_EQ(verification->samples().size(), 0u);
-    const std::vector<Candidate> candidates = test::candidatesOf(points, kDiameter, Params());
+    const List<Candidate> candidates = test::candidatesOf(points, kDiameter, Params());
     verification->measureNoise(test::samplesOf(points), candidates);
     addRound(*verification, test::samplesOf(points), candidates);
   }
@@ -246,9 +246,9 @@ TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   Random random(97);
   const test::TwoFaces box;
   const std::vector<SurfacePoint> points = noisy(box.points(random), random);
-  std::vector<Candidate> candidates = {test::candidate(box.cone, points[1], 100.0),
-                                       test::candidate(box.front, points[0], 90.0),
-                                       test::candidate(box.top, points[300], 80.0)};
+  List<Candidate> candidates = {test::candidate(box.cone, points[1], 100.0),
+                                test::candidate(box.front, points[0], 90.0),
+                                test::candidate(box.top, points[300], 80.0)};
   candidates[0].sample = 1;
   candidates[2].sample = 300;
   Verification verification{Params()};
@@ -360,7 +360,7 @@ TEST(Unexplained, AreSamplesOfNobodyWhereManyAreTogether) {
   std::vector<SurfacePoint> more = noisy(patchOf(kBall, 200, random), random);
   for (const double x : {-0.4, 0.0, 0.4}) more.push_back({Vec3(x, 0.3, 0.6), Vec3(0, 0, -1)});
   verification.addSamples(test::samplesOf(more));
-  const std::vector<std::uint32_t> rest = verification.unexplained();
+  const List<std::uint32_t> rest = verification.unexplained();
   EXPECT_GT(rest.size(), 190u);
   for (const std::uint32_t i : rest) EXPECT_NEAR(distance(kBall, verification.samples().point(i)), 0.0, 0.02) << i;
   // What they vote for, by indices into all rounds, becomes a ball.

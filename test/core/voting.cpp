@@ -34,7 +34,7 @@ TEST(SphereVotes, WithoutBinAveragesGiveTheBinCentre) {
   Random random(22);
   Params params = presetParams("paper");
   params.average_bins = false;
-  const std::vector<Candidate> candidates =
+  const List<Candidate> candidates =
       candidatesOf(patchOf(Sphere{Vec3(0.0, 0.0, 1.0), 0.1033}, 300, random), 2.0, params);
   for (const Sphere& found : shapesOf<Sphere>(candidates)) EXPECT_NEAR(found.radius, 0.105, 1e-9);
   EXPECT_FALSE(shapesOf<Sphere>(candidates).empty());
@@ -48,7 +48,7 @@ TEST(CylinderVotes, WithoutBinAveragesGiveBinCentres) {
   const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), 0.1033};
   const std::vector<SurfacePoint> points = patchOf(cylinder, 400, -0.2, 0.2, random);
   const Samples samples = test::samplesOf(points);
-  const std::vector<Candidate> candidates = candidatesOf(points, 2.0, params);
+  const List<Candidate> candidates = candidatesOf(points, 2.0, params);
   ASSERT_FALSE(shapesOf<Cylinder>(candidates).empty());
   for (const Cylinder& found : shapesOf<Cylinder>(candidates)) EXPECT_NEAR(found.radius, 0.105, 1e-9);
   // phi of the first candidate, which is that of the first sample, is a multiple of the 10 deg bin.
@@ -67,7 +67,7 @@ TEST(CylinderVotes, FindRadiusAndAxisBetweenBins) {
   params.detect_cones = false;
   for (int trial = 0; trial < 5; ++trial) {
     const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), test::randomDirection(random), random.uniform(0.06, 0.2)};
-    const std::vector<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
+    const List<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
     expectWithinBins(shapesOf<Cylinder>(candidates), cylinder);
   }
 }
@@ -100,7 +100,7 @@ TEST(ConeVotes, FindApexAxisAndAngle) {
   params.detect_cylinders = params.detect_spheres = false;
   for (int trial = 0; trial < 6; ++trial) {
     const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
-    const std::vector<Candidate> candidates = candidatesOf(patchOf(cone, 500, 0.05, 0.3, random), 2.0, params);
+    const List<Candidate> candidates = candidatesOf(patchOf(cone, 500, 0.05, 0.3, random), 2.0, params);
     SCOPED_TRACE(trial);
     expectWithinBins(shapesOf<Cone>(candidates), cone);
   }
@@ -132,7 +132,7 @@ TEST(ConeVotes, NearACylinderStayWithinTheAngleLimit) {
   Params params = presetParams("paper");
   params.min_half_angle_deg = 5.0;
   const Cylinder cylinder = {Vec3(0.0, 0.0, 1.2), Vec3(0.2, 1.0, 0.1).normalized(), 0.1};
-  const std::vector<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
+  const List<Candidate> candidates = candidatesOf(patchOf(cylinder, 400, -0.2, 0.2, random), 2.0, params);
   for (const Cone& cone : shapesOf<Cone>(candidates)) EXPECT_GE(cone.half_angle, params.min_half_angle_deg * kDegree);
   // The exact axis lies in the tangent plane, where the cone has no apex: the cylinder is what is left.
   EXPECT_GT(shapesOf<Cylinder>(candidates).size(), 300u);
@@ -165,7 +165,7 @@ TEST(PairVoting, NeedsMoreThanMinVotes) {
 TEST(PairVoting, ProposesPlanesOnAPlane) {
   Random random(28);
   const Plane plane = {Vec3(0.0, 0.2, 1.0), Vec3(0.1, -0.9, -0.3).normalized()};
-  const std::vector<Candidate> candidates = candidatesOf(patchOf(plane, 200, 0.2, random), 2.0);
+  const List<Candidate> candidates = candidatesOf(patchOf(plane, 200, 0.2, random), 2.0);
   EXPECT_GT(shapesOf<Plane>(candidates).size(), 150u);
   EXPECT_EQ(shapesOf<Plane>(candidates).size(), candidates.size());
 }
@@ -179,7 +179,7 @@ TEST(PairVoting, TakesTheNearestPairsWhereManyAreWithinReach) {
     PairVoting voting(params);
     voting.pairWithAll(all);
     voting.begin(samples, 2.0);
-    std::vector<Candidate> candidates;
+    List<Candidate> candidates;
     voting.voteAt(512, candidates);
     return candidates.size() == 1 ? candidates[0].votes : 0.0;
   };

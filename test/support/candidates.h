@@ -26,15 +26,15 @@ inline Candidate candidate(const Shape& shape, const SurfacePoint& reference, do
 }
 
 /// The strongest candidate of every reference; d_s in m.
-inline std::vector<Candidate> candidatesOf(const std::vector<SurfacePoint>& points, double diameter,
-                                           const Params& params = presetParams("paper")) {
-  std::vector<Candidate> candidates;
+inline List<Candidate> candidatesOf(const std::vector<SurfacePoint>& points, double diameter,
+                                    const Params& params = presetParams("paper")) {
+  List<Candidate> candidates;
   PairVoting(params).vote(samplesOf(points), diameter, candidates);
   return candidates;
 }
 
 template <class T>
-std::vector<T> shapesOf(const std::vector<Candidate>& candidates) {
+std::vector<T> shapesOf(const List<Candidate>& candidates) {
   std::vector<T> shapes;
   for (const Candidate& candidate : candidates) {
     if (const T* shape = std::get_if<T>(&candidate.shape)) shapes.push_back(*shape);

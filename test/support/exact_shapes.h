@@ -71,8 +71,8 @@ inline void append(Samples& samples, const SurfacePoint& p) {
   samples.nx.push_back(o.normal.x);
   samples.ny.push_back(o.normal.y);
   samples.nz.push_back(o.normal.z);
-  for (std::vector<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.inverse_tolerance,
-                                    &samples.normal_loss, &samples.farthest_turn})
+  for (List<float>* noise : {&samples.normal_sigma, &samples.sigma, &samples.inverse_tolerance, &samples.normal_loss,
+                             &samples.farthest_turn})
     noise->push_back(0.0f);
   samples.index.push_back(static_cast<std::uint32_t>(samples.index.size()));
 }
@@ -83,8 +83,8 @@ inline Samples samplesOf(const std::vector<SurfacePoint>& points) {
   return samples;
 }
 
-inline std::vector<std::uint32_t> allOf(const Samples& samples) {
-  std::vector<std::uint32_t> indices(samples.size());
+inline List<std::uint32_t> allOf(const Samples& samples) {
+  List<std::uint32_t> indices(samples.size());
   std::iota(indices.begin(), indices.end(), 0u);
   return indices;
 }

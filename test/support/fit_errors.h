@@ -94,7 +94,7 @@ using Noise = std::function<double(const Vec3&)>;  ///< m, one standard deviatio
 /// The robust fit to all of the points, from the given start.
 inline std::optional<Shape> fitTo(const std::vector<SurfacePoint>& points, const Shape& start, const Noise& noise) {
   const Samples samples = samplesOf(points);
-  const std::vector<std::uint32_t> all = allOf(samples);
+  const List<std::uint32_t> all = allOf(samples);
   return refine(start, {samples, all}, [&noise](const Vec3& p) { return kInlierDeviations * noise(p); });
 }
 

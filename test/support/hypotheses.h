@@ -39,7 +39,7 @@ inline Hypothesis hypothesisOf(const Shape& shape, const Samples& samples, bool 
 }
 
 inline std::size_t inlierCount(const Hypothesis& hypothesis) {
-  std::vector<std::uint32_t> inliers;
+  List<std::uint32_t> inliers;
   inliersOf(hypothesis, inliers);
   return inliers.size();
 }

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Asks the image at a grid of pixels; see seen_share.h.
+#include "core/seen_share.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/observed_part.h"
+#include "core/ray_depth.h"
+
+namespace primitect {
+namespace {
+
+/// What the image shows where the surface should be.
+enum class Sight { surface, other, unknown };
+
+/// Looks at single pixels.
+class Looking {
+ public:
+  Looking(const Cloud& cloud, const PointNoise& sigma) : cloud_(cloud), sigma_(sigma) {}
+
+  Sight at(int column, int row, const Vec3& expected) const {
+    constexpr double kOnSurface = 4.0;  // standard deviations, along the ray
+    const std::size_t i = index(column, row);
+    if (!cloud_.valid(i)) return inShadow(column, row, expected) ? Sight::unknown : Sight::other;
+    if (hides(i, expected)) return Sight::unknown;
+    return std::abs(cloud_.z[i] - expected.z()) < kOnSurface * sigma_(expected) ? Sight::surface : Sight::other;
+  }
+
+ private:
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * cloud_.width + static_cast<std::size_t>(column);
+  }
+
+  /// Clearly nearer: not the surface with a bump.
+  bool hides(std::size_t i, const Vec3& expected) const {
+    constexpr double kNearer = 12.0;  // standard deviations
+    return cloud_.z[i] < expected.z() - kNearer * sigma_(expected);
+  }
+
+  /// A projector beside the camera leaves a gap along the edge of what hides.
+  bool inShadow(int column, int row, const Vec3& expected) const {
+    constexpr int kWidest = 24;  // px: a step from 0.7 to 1 m makes 20
+    for (const int step : {-1, 1}) {
+      for (int c = column + step, left = kWidest; 0 <= c && c < static_cast<int>(cloud_.width) && left > 0; --left) {
+        if (cloud_.valid(index(c, row))) {
+          if (hides(index(c, row), expected)) return true;
+          break;
+        }
+        c += step;
+      }
+    }
+    return false;
+  }
+
+  const Cloud& cloud_;
+  const PointNoise& sigma_;
+};
+
+/// The box around some pixels.
+class Box {
+ public:
+  Box(const List<std::uint32_t>& pixels, std::uint32_t width) {
+    for (const std::uint32_t i : pixels) {
+      const int column = static_cast<int>(i % width), row = static_cast<int>(i / width);
+      left_ = std::min(left_, column), right_ = std::max(right_, column);
+      top_ = std::min(top_, row), bottom_ = std::max(bottom_, row);
+    }
+  }
+
+  /// Calls use(column, row) for about so many places, in a grid.
+  template <class Use>
+  void forPlaces(double count, const Use& use) const {
+    const double area = static_cast<double>(right_ - left_ + 1) * static_cast<double>(bottom_ - top_ + 1);
+    const int step = std::max(1, static_cast<int>(std::sqrt(area / count)));
+    for (int row = top_; row <= bottom_; row += step) {
+      for (int column = left_; column <= right_; column += step) use(column, row);
+    }
+  }
+
+ private:
+  int left_ = std::numeric_limits<int>::max(), right_ = -1;
+  int top_ = std::numeric_limits<int>::max(), bottom_ = -1;
+};
+
+/// The surface faces the sensor with the side that is seen, and not at a grazing angle.
+bool faces(const Shape& shape, bool concave, const Vec3& point) {
+  constexpr double kLeastCosine = 0.3;
+  const double cosine = -normalAt(shape, point).dot(point) / point.norm();
+  return (concave ? -cosine : cosine) > kLeastCosine;
+}
+
+template <class T>
+double shareOf(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+               const ImageRays& rays, const PointNoise& sigma) {
+  constexpr double kProbes = 1000.0;  // a share of 0.9 is then known to 0.01
+  const ObservedPart part(detection.shape, detection.extent);
+  const Looking looking(cloud, sigma);
+  const auto on = opened(shape);
+  const double depth = cloud.z[pixels[pixels.size() / 2]];
+  std::size_t surface = 0, other = 0;
+  Box(pixels, cloud.width).forPlaces(kProbes, [&](int column, int row) {
+    const Vec3 ray = rays.through(column, row);
+    const std::optional<double> z = depthOn(on, ray, depth);
+    if (!z) return;
+    const Vec3 point = *z * ray;
+    const Eigen::Vector3f flat = point.cast<float>();
+    if (!faces(detection.shape, detection.concave, point) || part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
+    const Sight sight = looking.at(column, row, point);
+    surface += sight == Sight::surface ? 1 : 0;
+    other += sight == Sight::other ? 1 : 0;
+  });
+  return surface + other > 0 ? static_cast<double>(surface) / static_cast<double>(surface + other) : 1.0;
+}
+
+}  // namespace
+
+double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+                 const ImageRays& rays, const PointNoise& sigma) {
+  if (!rays.known || pixels.empty()) return 1.0;
+  if (const Cylinder* tube = std::get_if<Cylinder>(&detection.shape))
+    return shareOf(*tube, detection, pixels, cloud, rays, sigma);
+  if (const Cone* cone = std::get_if<Cone>(&detection.shape))
+    return shareOf(*cone, detection, pixels, cloud, rays, sigma);
+  return 1.0;
+}
+
+double trustIn(double seen_share) {
+  constexpr double kNone = 0.75, kFull = 0.9;
+  return std::clamp((seen_share - kNone) / (kFull - kNone), 0.0, 1.0);
+}
+
+}  // namespace primitect

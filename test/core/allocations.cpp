@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A detector takes nothing from the heap in frames that are like those it has seen.
+#include "eval/bench/allocations.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "primitect/detector.h"
+#include "synthetic/frame.h"
+#include "synthetic/paper_dataset.h"
+#include "synthetic/tabletop.h"
+
+namespace primitect {
+namespace {
+
+/// 640 x 480, cut at the default's depths.
+std::vector<Cloud> tabletops(std::uint64_t first_seed, std::size_t count) {
+  const Params params;
+  const DepthRange range{static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
+  const synthetic::PinholeCamera camera;
+  std::vector<Cloud> clouds(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint64_t seed = first_seed + k;
+    const Eigen::Isometry3d pose = synthetic::cameraPose(static_cast<double>(seed));
+    const synthetic::Frame frame =
+        renderFrame(synthetic::tabletop(seed), camera, pose, synthetic::FrameParams(), seed, 0);
+    synthetic::cloudFromDepth(frame.depth, camera, range, clouds[k]);
+  }
+  return clouds;
+}
+
+Params sceneParams() {
+  Params params;
+  params.min_depth = params.max_depth = 0.0;
+  params.orient_normals = false;
+  return params;
+}
+
+void detectAll(const std::vector<Cloud>& clouds, Detector& detector) {
+  for (const Cloud& cloud : clouds) ASSERT_FALSE(detector.detect(cloud).items.empty());
+}
+
+std::size_t allocationsOf(const Cloud& cloud, Detector& detector, const Effort& effort = {}) {
+  bench::beginCounting();
+  detector.detect(cloud, effort);
+  return bench::endCounting().count;
+}
+
+/// Twice: what is taken first may make room where it is not needed the second time.
+void warmUp(const std::vector<Cloud>& clouds, Detector& detector) {
+  for (int pass = 0; pass < 2; ++pass) detectAll(clouds, detector);
+}
+
+class Allocations : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!bench::canCountAllocations()) GTEST_SKIP() << "malloc cannot be replaced here";
+  }
+};
+
+TEST_F(Allocations, AreMadeByANewDetector) {
+  const std::vector<Cloud> clouds = tabletops(1, 1);
+  Detector detector{Params()};
+  EXPECT_GT(allocationsOf(clouds[0], detector), 100u);
+}
+
+TEST_F(Allocations, AreNoneInDepthFramesThatWereSeen) {
+  const std::vector<Cloud> clouds = tabletops(1, 4);
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
+}
+
+TEST_F(Allocations, AreNoneInDepthFramesOfLessEffort) {
+  const std::vector<Cloud> clouds = tabletops(1, 2);
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  const Effort less = {0.5, [] { return false; }};
+  for (const Cloud& cloud : clouds) allocationsOf(cloud, detector, less);
+  for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector, less), 0u);
+}
+
+/// A frame may hold more than any before it: then something grows, once, and by less than a frame's lists take.
+TEST_F(Allocations, AreFewInDepthFramesThatWereNotSeen) {
+  Detector detector{Params()};
+  warmUp(tabletops(1, 4), detector);
+  std::size_t all = 0;
+  for (const Cloud& cloud : tabletops(5, 4)) all += allocationsOf(cloud, detector);
+  RecordProperty("allocations_in_four_frames", static_cast<int>(all));
+  EXPECT_LT(all, 40u);
+}
+
+TEST_F(Allocations, AreNoneInCloudsWithNormalsThatWereSeen) {
+  constexpr double kNoise = 0.01;  // m
+  const std::vector<Cloud> clouds = {makePaperScene(synthetic::SceneKind::mixed, 1, kNoise).cloud};
+  Detector detector(sceneParams());
+  warmUp(clouds, detector);
+  EXPECT_EQ(allocationsOf(clouds[0], detector), 0u);
+}
+
+TEST_F(Allocations, AreNoneWhenPointsAreLabelled) {
+  const std::vector<Cloud> clouds = tabletops(1, 1);
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  std::vector<std::uint32_t> labels;
+  detector.label(clouds[0], labels);
+  bench::beginCounting();
+  detector.label(clouds[0], labels);
+  EXPECT_EQ(bench::endCounting().count, 0u);
+}
+
+}  // namespace
+}  // namespace primitect

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A rendered can: whole, in tatters, behind a post, and with the shadow of the post.
+#include "core/seen_share.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/extent.h"
+#include "core/random.h"
+#include "synthetic/frame.h"
+#include "synthetic/scene_layout.h"
+#include "synthetic/tabletop.h"
+
+namespace primitect {
+namespace {
+
+using synthetic::Rod;
+
+// Pixels within 1.5 px of the can's ends may belong to what is behind: 2 rows of some 60.
+constexpr double kBorders = 0.04;
+
+/// A can of 5 cm radius 1 m in front of the camera; and, if it is asked for, a post of 1.5 cm 30 cm before it.
+class Can : public testing::Test {
+ protected:
+  void render(bool with_post) {
+    const Eigen::Isometry3d place(Eigen::Translation3d(0, 0, 0.08));
+    const int body = world_.add("can", Rod{0.05, 0.08}, place);
+    surface_ = world_.bodies()[static_cast<std::size_t>(body)].first_surface;
+    if (with_post) world_.add("post", Rod{0.015, 0.4}, Eigen::Isometry3d(Eigen::Translation3d(-0.3, 0, 0.2)));
+    const Eigen::Isometry3d pose = synthetic::lookAt(Vec3(-1.0, 0.0, 0.1), Vec3(0.0, 0.0, 0.08));
+    frame_ = synthetic::renderFrame(world_, camera_, pose, synthetic::FrameParams(), 1, 0);
+    synthetic::cloudFromDepth(frame_.depth, camera_, {0.1f, 2.0f}, cloud_);
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      if (frame_.surface[i] == surface_ && cloud_.valid(i)) pixels_.push_back(static_cast<std::uint32_t>(i));
+    }
+    can_.shape = synthetic::transformed(pose.inverse(), world_.surfaces()[static_cast<std::size_t>(surface_)].shape);
+    std::vector<Vec3> points;
+    for (const std::uint32_t i : pixels_) points.emplace_back(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
+    can_.extent = measureExtent(can_.shape, points);
+    rays_ = findRays(cloud_);
+    ASSERT_TRUE(rays_.known);
+    ASSERT_GT(pixels_.size(), 2000u);
+  }
+
+  /// Calls change(pixel) for a random share of the can's pixels, which are on it no longer.
+  template <class Change>
+  void changeSome(double share, const Change& change) {
+    Random random(3);
+    List<std::uint32_t> left;
+    for (const std::uint32_t i : pixels_) {
+      if (random.uniform(0.0, 1.0) < share) {
+        change(i);
+      } else {
+        left.push_back(i);
+      }
+    }
+    pixels_ = left;
+  }
+
+  void miss(std::uint32_t i) { cloud_.x[i] = cloud_.y[i] = cloud_.z[i] = std::numeric_limits<float>::quiet_NaN(); }
+
+  double share() const {
+    const auto sigma = [](const Vec3& p) { return synthetic::axialSigma(p.z()); };
+    return seenShare(can_, pixels_, cloud_, rays_, sigma);
+  }
+
+  synthetic::World world_;
+  synthetic::PinholeCamera camera_;
+  synthetic::Frame frame_;
+  Cloud cloud_;
+  Detection can_;
+  int surface_ = 0;
+  List<std::uint32_t> pixels_;
+  ImageRays rays_;
+};
+
+TEST_F(Can, ThatIsWholeIsSeenEverywhere) {
+  render(false);
+  EXPECT_GT(share(), 1.0 - kBorders);
+}
+
+TEST_F(Can, InTattersIsSeenWhereItIsLeft) {
+  render(false);
+  changeSome(0.15, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
+  EXPECT_NEAR(share(), 0.85, kBorders);
+}
+
+TEST_F(Can, WithBumpsIsNotSeenThere) {
+  render(false);
+  // Nearer by 10 standard deviations: not so much that something would hide the can.
+  changeSome(
+      0.15, [this](std::uint32_t i) { cloud_.z[i] -= 10.0f * static_cast<float>(synthetic::axialSigma(cloud_.z[i])); });
+  EXPECT_NEAR(share(), 0.85, kBorders);
+}
+
+TEST_F(Can, WithHolesIsNotSeenThere) {
+  render(false);
+  changeSome(0.3, [this](std::uint32_t i) { miss(i); });
+  EXPECT_NEAR(share(), 0.7, kBorders);
+}
+
+TEST_F(Can, BehindAPostIsSeenEverywhereElse) {
+  render(true);
+  EXPECT_GT(share(), 1.0 - kBorders);
+}
+
+TEST_F(Can, InTheShadowOfAPostIsSeenEverywhereElse) {
+  constexpr std::uint32_t kShadow = 10;  // px, to the right of the post
+  render(true);
+  List<std::uint32_t> left;
+  for (const std::uint32_t i : pixels_) {
+    bool shadowed = false;
+    for (std::uint32_t k = 1; k <= kShadow; ++k) shadowed = shadowed || frame_.depth[i - k] < 0.8f;
+    if (!shadowed) left.push_back(i);
+    if (shadowed) miss(i);
+  }
+  ASSERT_GT(pixels_.size() - left.size(), pixels_.size() / 10);
+  pixels_ = left;
+  EXPECT_GT(share(), 1.0 - kBorders);
+}
+
+TEST_F(Can, IsTakenAsItIsWhereTheCloudIsNoImage) {
+  render(false);
+  changeSome(0.5, [this](std::uint32_t i) { miss(i); });
+  rays_.known = false;
+  EXPECT_EQ(share(), 1.0);
+}
+
+TEST(TrustIn, IsFullNearTheWholeAndGoneWhereAQuarterIsNotSeen) {
+  EXPECT_EQ(trustIn(1.0), 1.0);
+  EXPECT_EQ(trustIn(0.9), 1.0);
+  EXPECT_LT(trustIn(0.85), 0.7);
+  EXPECT_EQ(trustIn(0.75), 0.0);
+  EXPECT_EQ(trustIn(0.0), 0.0);
+}
+
+}  // namespace
+}  // namespace primitect
