@@ -44,14 +44,15 @@ List<Vec2> outermost(const List<Vec2>& points) {
       if (far > farthest) farthest = far, corners[k] = p;
     }
   }
+  List<std::pair<Vec2, Vec2>> sides;
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    const Vec2& next = corners[(k + 1) % kDirections];
+    if (next != corners[k]) sides.emplace_back(corners[k], next);
+  }
   List<Vec2> outer;
   for (const Vec2& p : points) {
-    bool inside = true;
-    for (std::size_t k = 0; k < kDirections && inside; ++k) {
-      const Vec2& next = corners[(k + 1) % kDirections];
-      inside = next == corners[k] || cross(corners[k], next, p) > 0.0;
-    }
-    if (!inside) outer.push_back(p);
+    const auto behind = [&p](const auto& side) { return !(cross(side.first, side.second, p) > 0.0); };
+    if (std::any_of(sides.begin(), sides.end(), behind)) outer.push_back(p);
   }
   return outer;
 }

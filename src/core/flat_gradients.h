@@ -83,7 +83,8 @@ struct FlatGradients {
 };
 
 /// In double: rounding must not make a matrix of such sums anything but one of squares.
-inline double sumOfProducts(const float* a, const float* b, std::size_t count) {
+template <class Value>
+double sumOfProducts(const Value* a, const Value* b, std::size_t count) {
   constexpr std::size_t kSums = 4;
   double sums[kSums] = {};
   std::size_t i = 0;
@@ -97,7 +98,7 @@ inline double sumOfProducts(const float* a, const float* b, std::size_t count) {
 /// Sum over points of g g', g = weight * gradient.
 template <std::size_t room>
 Hessian sumOfSquares(const FlatGradients<room>& gradients, const float* weight, std::size_t count) {
-  float weighted[kMostParameters][room];
+  double weighted[kMostParameters][room];
   for (int r = 0; r < gradients.rows; ++r) {
     for (std::size_t i = 0; i < count; ++i) weighted[r][i] = weight[i] * gradients.row[r][i];
   }

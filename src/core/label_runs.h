@@ -13,12 +13,13 @@ struct LabelRun {
   std::uint32_t label, begin, end;
 };
 
-/// Labels that are compared at once.
-constexpr std::uint32_t kLabelsAtOnce = 16;
+/// Labels that are compared at once; of longer runs kManyLabels.
+constexpr std::uint32_t kLabelsAtOnce = 16, kManyLabels = 64;
 
-inline bool allAre(std::uint32_t label, const std::uint32_t* labels) {
+template <std::uint32_t count>
+bool allAre(std::uint32_t label, const std::uint32_t* labels) {
   std::uint32_t different = 0;
-  for (std::uint32_t k = 0; k < kLabelsAtOnce; ++k) different |= labels[k] ^ label;
+  for (std::uint32_t k = 0; k < count; ++k) different |= labels[k] ^ label;
   return different == 0;
 }
 
@@ -28,7 +29,8 @@ void forLabelRuns(const std::vector<std::uint32_t>& labels, const Use& use) {
   const std::uint32_t count = static_cast<std::uint32_t>(labels.size());
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
     const std::uint32_t label = labels[begin];
-    while (end + kLabelsAtOnce <= count && allAre(label, labels.data() + end)) end += kLabelsAtOnce;
+    while (end + kManyLabels <= count && allAre<kManyLabels>(label, labels.data() + end)) end += kManyLabels;
+    while (end + kLabelsAtOnce <= count && allAre<kLabelsAtOnce>(label, labels.data() + end)) end += kLabelsAtOnce;
     while (end < count && labels[end] == label) ++end;
     if (label > 0) use(LabelRun{label, begin, end});
   }

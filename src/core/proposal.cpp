@@ -24,26 +24,49 @@ void describe(const Candidate& candidate, Hypothesis& hypothesis) {
   hypothesis.votes = candidate.votes;
 }
 
+/// Gains of samples for one shape, of so many at once as soon as one of them is asked for: neighbours are asked for
+/// next, and together they take hardly longer than two of them alone.
+struct KnownGains {
+  static constexpr std::size_t kAtOnce = kernels::kMostGains;
+  List<float> gain;  ///< of each sample
+  List<char> known;  ///< of each kAtOnce of them
+
+  void begin(std::size_t samples) {
+    gain.resize(samples);
+    known.assign(samples / kAtOnce + 1, 0);
+  }
+};
+
 /// What gather() asks of all samples, for one.
 class MayStandFor {
  public:
-  MayStandFor(const Samples& samples, const Candidate& candidate, const ProposalRules& rules)
-      : judged_(samples.judged()),
+  MayStandFor(const Samples& samples, const Candidate& candidate, const ProposalRules& rules, KnownGains& gains)
+      : gains_(gains),
+        judged_(samples.judged()),
         shape_(flattened(candidate.shape, Vec3::Zero())),
         side_(candidate.concave ? -1.0f : 1.0f),
         scale_(static_cast<float>(1.0 / widenFor(candidate, rules))),
         point_(candidate.point.cast<float>()),
-        reach_(static_cast<float>(rules.reach)) {}
+        reach_(static_cast<float>(rules.reach)) {
+    gains_.begin(samples.size());
+  }
 
   bool operator()(std::uint32_t i) const {
     const Eigen::Vector3f way = Eigen::Vector3f(judged_.x[i], judged_.y[i], judged_.z[i]) - point_;
     if (!(way.squaredNorm() <= reach_ * reach_)) return false;
-    float gain = kernels::kNoGain;
-    kernels::loops().gains(shape_, side_, scale_, judged_, i, i + 1, &gain);
-    return gain > 0.0f;
+    if (!gains_.known[i / KnownGains::kAtOnce]) judge(i / KnownGains::kAtOnce);
+    return gains_.gain[i] > 0.0f;
   }
 
  private:
+  void judge(std::size_t part) const {
+    const std::size_t begin = part * KnownGains::kAtOnce;
+    const std::size_t end = std::min(begin + KnownGains::kAtOnce, gains_.gain.size());
+    kernels::loops().gains(shape_, side_, scale_, judged_, begin, end, gains_.gain.data() + begin);
+    gains_.known[part] = 1;
+  }
+
+  KnownGains& gains_;
   kernels::JudgedSamples judged_;
   kernels::FlatShape shape_;
   float side_, scale_;
@@ -108,12 +131,13 @@ bool Proposer::wants(std::uint32_t sample) const {
 void Proposer::propose(const Samples& samples, SampleGraph& graph, const List<Candidate>& candidates,
                        const ProposalRules& rules, List<Hypothesis>& pool, Refusals& refusals) {
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
+  KnownGains gains;
   const auto unexplained = [this](std::uint32_t i) { return held_[i] < kWellExplained; };
   for (const Candidate& candidate : candidates) {
     if (!wants(candidate.sample)) continue;
     Hypothesis hypothesis;
     describe(candidate, hypothesis);
-    graph.connected(candidate.sample, MayStandFor(samples, candidate, rules), part_);
+    graph.connected(candidate.sample, MayStandFor(samples, candidate, rules, gains), part_);
     if (static_cast<std::size_t>(std::count_if(part_.begin(), part_.end(), unexplained)) < needed / 2) {
       ++refusals[Refusal::few_inliers];
     } else {

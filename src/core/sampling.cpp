@@ -68,16 +68,16 @@ void Sampler::choose(std::size_t count, std::uint64_t seed) {
   chosen_.resize(std::min<std::size_t>(count, all));
   const std::uint64_t parts = chosen_.size();
   std::size_t run = 0;
-  std::uint64_t before = 0;  // free points of the runs before this one
-  std::uint64_t first = 0;
+  std::uint64_t before = 0, after = parts > 0 ? countOf(free_[0]) : 0;  // free points before this run and the next
+  // Part k ends at (k + 1) * all / parts, without a division for each.
+  const std::uint64_t step = parts > 0 ? all / parts : 0, rest = parts > 0 ? all % parts : 0;
+  std::uint64_t first = 0, end = 0, share = 0;
   for (std::uint64_t k = 0; k < parts; ++k) {
-    const std::uint64_t end = (k + 1) * all / parts;
+    end += step, share += rest;
+    if (share >= parts) share -= parts, ++end;
     const std::uint64_t number = first + random.below(end - first);
     first = end;
-    for (std::uint32_t here = countOf(free_[run]); number >= before + here; here = countOf(free_[run])) {
-      before += here;
-      ++run;
-    }
+    while (number >= after) before = after, after += countOf(free_[++run]);
     const std::uint32_t place = placeOf(free_[run], static_cast<std::uint32_t>(number - before));
     left_[run] &= ~(std::uint64_t{1} << place);
     chosen_[k] = static_cast<std::uint32_t>(runs_->number[run] * kRun + place);

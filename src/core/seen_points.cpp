@@ -3,6 +3,7 @@
 // Gathering the points of a shape; see seen_points.h.
 #include "core/seen_points.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,7 +29,10 @@ float rmsDistance(const Shape& shape, const SeenPoints& points) {
     kernels::loops().distances(flat, points.x.data() + begin, points.y.data() + begin, points.z.data() + begin, count,
                                distance.data());
     float some[kernels::kLanes] = {};
-    for (std::size_t k = 0; k < count; ++k) some[k % kernels::kLanes] += distance[k] * distance[k];
+    std::fill(distance.begin() + static_cast<std::ptrdiff_t>(count), distance.end(), 0.0f);
+    for (std::size_t k = 0; k < count; k += kernels::kLanes) {
+      for (std::size_t lane = 0; lane < kernels::kLanes; ++lane) some[lane] += distance[k + lane] * distance[k + lane];
+    }
     for (const float of_lane : some) sum += of_lane;
   }
   return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));

@@ -62,9 +62,14 @@ struct SomePoints {
       : origin(all.origin),
         count(std::min(all.size(), most)),
         share(count > 0 ? static_cast<double>(count) / static_cast<double>(all.size()) : 1.0) {
-    for (std::size_t k = 0; k < filled(); ++k) {
-      const std::size_t i = std::min(k, count - 1) * all.size() / count;
+    if (count == 0) return;
+    // Number k is at k * all.size() / count, without a division for each.
+    const std::size_t step = all.size() / count, rest = all.size() % count;
+    for (std::size_t k = 0, i = 0, part = 0; k < filled(); ++k) {
       x[k] = all.x[i], y[k] = all.y[i], z[k] = all.z[i];
+      if (k + 1 >= count) continue;
+      i += step, part += rest;
+      if (part >= count) part -= count, ++i;
     }
   }
   /// With what fills up.

@@ -20,6 +20,7 @@ class Choice {
       : pool_(pool),
         min_inliers_(static_cast<double>(min_inliers)),
         chosen_(pool.size(), false),
+        standings_(pool.size()),
         best_(samples),
         second_(samples),
         left_(samples, 0) {}
@@ -29,32 +30,29 @@ class Choice {
 
   /// What the total gains when h joins.
   Worth worthOfAdding(std::uint32_t h) const {
-    double gain = 0.0, against = 0.0, own = 0.0;
+    double gain = 0.0, against = 0.0;
+    std::size_t better = 0;
     for (const Support& support : pool_[h].support) {
       const float held = best_[support.sample].gain;
-      const bool better = support.gain > held && held < kWellExplained;
-      gain += better ? support.gain - held : 0.0f;
-      own += better ? 1.0 : 0.0;
-      // Near it, but not on it: against it, unless somebody else explains that sample.
-      against += support.gain < 0.0f && held <= 0.0f ? support.gain : 0.0f;
+      if (held >= kWellExplained) continue;
+      if (support.gain > held) {
+        gain += support.gain - held;
+        ++better;
+      } else if (held <= 0.0f) {
+        // Near it, but not on it: against it, unless somebody else explains that sample.
+        against += support.gain;
+      }
     }
+    const double own = static_cast<double>(better);
     return {gain, own < least(h) ? -1.0 : gain + against - price(h, own)};
   }
 
-  /// What the total loses when h, which is chosen, leaves.
-  double worthOfKeeping(std::uint32_t h) const {
-    double sum = 0.0, own = 0.0;
-    for (const Support& support : pool_[h].support) {
-      const Holder& best = best_[support.sample];
-      const float other = second_[support.sample].gain;
-      if (best.hypothesis == h && other < kWellExplained) sum += best.gain - other, own += 1.0;
-      if (support.gain < 0.0f && best.gain <= 0.0f) sum += support.gain;
-    }
-    return own < least(h) ? -1.0 : sum - price(h, own);
-  }
-
   void add(std::uint32_t h) {
+    for (const std::uint32_t kept : order_) {
+      if (mayOverlap(pool_[kept], pool_[h])) standings_[kept].known = false;
+    }
     chosen_[h] = true;
+    standings_[h].known = false;
     order_.push_back(h);
     for (const Support& support : pool_[h].support) enter(h, support);
   }
@@ -74,6 +72,7 @@ class Choice {
     }
     for (const std::uint32_t kept : order_) {
       if (!mayOverlap(pool_[kept], pool_[h])) continue;
+      standings_[kept].known = false;
       for (const Support& support : pool_[kept].support) {
         if (left_[support.sample] == removal_) enter(kept, support);
       }
@@ -81,11 +80,11 @@ class Choice {
   }
 
   /// The chosen one that is worth least, if that is nothing.
-  std::uint32_t worthless() const {
+  std::uint32_t worthless() {
     std::uint32_t weakest = kNobody;
     double least = 0.0;
     for (const std::uint32_t h : order_) {
-      const double worth = worthOfKeeping(h);
+      const double worth = standingOf(h).keeping;
       if (worth > least) continue;
       least = worth;
       weakest = h;
@@ -93,19 +92,9 @@ class Choice {
     return weakest;
   }
 
-  double total() const {
+  double total() {
     double sum = 0.0;
-    List<double> own(pool_.size(), 0.0);
-    for (const Holder& best : best_) {
-      sum += best.gain;
-      if (best.hypothesis != kNobody) own[best.hypothesis] += 1.0;
-    }
-    for (const std::uint32_t h : order_) {
-      sum -= price(h, own[h]);
-      for (const Support& support : pool_[h].support) {
-        if (support.gain < 0.0f && best_[support.sample].gain <= 0.0f) sum += support.gain;
-      }
-    }
+    for (const std::uint32_t h : order_) sum += standingOf(h).share;
     return sum;
   }
 
@@ -120,6 +109,38 @@ class Choice {
     std::uint32_t hypothesis = kNobody;
     float gain = 0.0f;
   };
+
+  /// Of a chosen one, until something that may have samples in common with it joins or leaves.
+  struct Standing {
+    bool known = false;
+    double share = 0.0;    ///< of the total
+    double keeping = 0.0;  ///< what the total loses when it leaves
+  };
+
+  const Standing& standingOf(std::uint32_t h) {
+    Standing& standing = standings_[h];
+    if (standing.known) return standing;
+    double gain = 0.0, lost = 0.0, against = 0.0;
+    std::size_t all = 0, without_other = 0;
+    for (const Support& support : pool_[h].support) {
+      const Holder& best = best_[support.sample];
+      if (best.hypothesis == h) {
+        gain += best.gain;
+        ++all;
+        const float other = second_[support.sample].gain;
+        if (other >= kWellExplained) continue;
+        lost += best.gain - other;
+        ++without_other;
+      } else if (best.gain <= 0.0f) {
+        against += support.gain;
+      }
+    }
+    const double owned = static_cast<double>(all), missed = static_cast<double>(without_other);
+    standing.known = true;
+    standing.share = gain + against - price(h, owned);
+    standing.keeping = missed < least(h) ? -1.0 : lost + against - price(h, missed);
+    return standing;
+  }
 
   /// A shape that shares most of its inliers with others is one of them once more.
   double least(std::uint32_t h) const {
@@ -144,30 +165,39 @@ class Choice {
   double min_inliers_;
   List<bool> chosen_;
   List<std::uint32_t> order_;  ///< of those chosen
+  List<Standing> standings_;   ///< of those chosen
   List<Holder> best_, second_;
   List<std::uint32_t> left_;  ///< of each sample: the last removal that it lost a holder by
   std::uint32_t removal_ = 0;
 };
 
+/// What a candidate may bring.
+struct Offer {
+  std::uint32_t hypothesis;
+  Worth worth;         ///< of the gain, at most so much: with every one that joins it gets less
+  bool known = false;  ///< nothing that may have samples in common with it has joined since
+};
+
 /// Adds the most valuable of these until none is worth anything.
 void addGreedily(Choice& choice, const List<Hypothesis>& pool, const List<std::uint32_t>& candidates) {
-  // No more than this can be gained: with every one that joins it gets less.
-  List<double> bound;
-  for (const std::uint32_t h : candidates) bound.push_back(pool[h].gain_sum);
+  List<Offer> offers;
+  for (const std::uint32_t h : candidates) offers.push_back({h, {pool[h].gain_sum, 0.0}});
   while (true) {
-    std::size_t best = candidates.size();
+    Offer* best = nullptr;
     double most = 0.0;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (!(bound[k] > most)) continue;
-      const Worth worth = choice.worthOfAdding(candidates[k]);
-      bound[k] = worth.gain;
-      if (!(worth.total > most)) continue;
-      most = worth.total;
-      best = k;
+    for (Offer& offer : offers) {
+      if (!(offer.worth.gain > most)) continue;
+      if (!offer.known) offer.worth = choice.worthOfAdding(offer.hypothesis);
+      offer.known = true;
+      if (!(offer.worth.total > most)) continue;
+      most = offer.worth.total;
+      best = &offer;
     }
-    if (best == candidates.size()) return;
-    choice.add(candidates[best]);
-    bound[best] = 0.0;
+    if (!best) return;
+    const Hypothesis& added = pool[best->hypothesis];
+    choice.add(best->hypothesis);
+    for (Offer& offer : offers) offer.known = offer.known && !mayOverlap(pool[offer.hypothesis], added);
+    best->worth = {0.0, 0.0};
   }
 }
 
@@ -224,14 +254,18 @@ bool exchange(Choice& choice, const List<Hypothesis>& pool) {
 bool alike(const Hypothesis& a, const Hypothesis& b) {
   constexpr double kSame = 0.75;  // of the inliers of both together
   if (kindOf(a.shape) != kindOf(b.shape)) return false;
-  double both = 0.0;
+  const auto same = [&a, &b](std::size_t both) {
+    return static_cast<double>(both) > kSame * static_cast<double>(a.inliers + b.inliers - both);
+  };
+  if (!same(std::min(a.inliers, b.inliers))) return false;
+  std::size_t both = 0;
   auto at = b.support.begin();
   for (const Support& support : a.support) {
     while (at != b.support.end() && at->sample < support.sample) ++at;
     if (at == b.support.end()) break;
-    if (at->sample == support.sample && at->gain > 0.0f && support.gain > 0.0f) both += 1.0;
+    if (at->sample == support.sample && at->gain > 0.0f && support.gain > 0.0f) ++both;
   }
-  return both > kSame * (static_cast<double>(a.inliers + b.inliers) - both);
+  return same(both);
 }
 
 Selection selectHypotheses(const Samples& samples, const List<Hypothesis>& pool, std::size_t min_inliers) {

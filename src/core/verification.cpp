@@ -114,6 +114,7 @@ void Verification::dropLikenesses() {
   for (std::uint32_t h = 0; h < pool_.size(); ++h) {
     if (!redundant(h)) place[h] = kept++;
   }
+  if (kept == pool_.size()) return;
   for (std::uint32_t h = 0; h < pool_.size(); ++h) {
     if (place[h] != kNobody && place[h] != h) std::swap(pool_[place[h]], pool_[h]);
   }

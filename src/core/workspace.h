@@ -38,8 +38,8 @@ inline Status statusOf(const Cloud& cloud) {
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
 }
 
-/// outline: whose memory its own is to have.
-inline Detection describe(const Segment& segment, const Samples& samples, std::vector<Vec3> outline) {
+/// last: nothing will be measured on the points of the cloud. outline: whose memory its own is to have.
+inline Detection describe(const Segment& segment, const Samples& samples, bool last, std::vector<Vec3> outline) {
   SeenPoints inliers;
   inliers.gather(samples, segment.inliers);
   Detection detection;
@@ -48,7 +48,7 @@ inline Detection describe(const Segment& segment, const Samples& samples, std::v
   detection.extent = measureExtent(detection.shape, inliers, std::move(outline));
   detection.votes = static_cast<float>(segment.candidate.votes);
   detection.inlier_count = static_cast<std::uint32_t>(inliers.size());
-  detection.rms_error = rmsDistance(detection.shape, inliers);
+  if (last) detection.rms_error = rmsDistance(detection.shape, inliers);
   detection.confidence = static_cast<float>(segment.confidence);
   detection.evidence = segment.evidence;
   detection.rival = segment.rival;
@@ -263,7 +263,8 @@ struct Detector::Workspace {
     spare_outlines.shorten(result.items, 0);
     for (const Segment& segment : described) {
       if (segment.inliers.empty()) continue;
-      result.items.push_back(describe(segment, of, spare_outlines.take(kindOf(segment.candidate.shape))));
+      auto outline = spare_outlines.take(kindOf(segment.candidate.shape));
+      result.items.push_back(describe(segment, of, !params.verify, std::move(outline)));
     }
     result.samples = static_cast<std::uint32_t>(of.size());
   }
