@@ -54,7 +54,7 @@ TEST(Gains, AreThoseOfTheShapeOnEveryInstructionSet) {
     Samples samples = randomSamples(count, random);
     if (count > 5) samples.x[5] = samples.y[5] = samples.z[5] = kMissing;
     if (count > 6) samples.nx[6] = samples.ny[6] = samples.nz[6] = kMissing;
-    std::vector<float> held;
+    HeldGains held;
     for (std::size_t i = 0; i < count; ++i) held.push_back(i % 3 == 0 ? 0.5f : 0.05f);
     for (const Shape& shape : shapes()) {
       for (const float side : {1.0f, -1.0f}) {
@@ -126,7 +126,7 @@ TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
   Random random(82);
   for (const std::size_t count : {1u, 15u, 16u, 17u, 300u, 5000u}) {
     const Samples samples = randomSamples(count, random);
-    const std::vector<std::uint32_t> all = test::allOf(samples);
+    const List<std::uint32_t> all = test::allOf(samples);
     FitPoints points;
     points.gather({samples, all});
     for (const Shape& shape : shapes()) {
@@ -164,7 +164,7 @@ TEST(Moments, AreSumsOverThePointsAlone) {
   Random random(83);
   for (const std::size_t count : {1u, 16u, 33u, 2000u}) {
     const Samples samples = randomSamples(count, random);
-    const std::vector<std::uint32_t> all = test::allOf(samples);
+    const List<std::uint32_t> all = test::allOf(samples);
     FitPoints points;
     points.gather({samples, all});
     const kernels::MomentSums sums = points.moments();

@@ -253,7 +253,7 @@ TEST_P(EachKernel, CastsTheSameVotesWithAndWithoutBoxes) {
 /// In layers along x, as samples are in runs along a curve, so that some boxes are nearer than others.
 Samples layers(std::size_t count, Random& random) {
   const Samples samples = clutter(count, random);
-  std::vector<std::uint32_t> order(count);
+  List<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return samples.x[a] < samples.x[b]; });
   return samples.part(order);
