@@ -68,6 +68,10 @@ double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec
   return std::sqrt(farthest_sq);
 }
 
+/// Where a shape ends, in times the distance of the farthest sample that it was fitted to. A depth camera sees a
+/// surface whole, or something in front of it.
+double beyond(const NoiseModel& noise) { return noise.depth_share > 0.0 ? 1.0 : 2.5; }
+
 /// The plane that lies as its samples' normals say, where the one through its samples does not: those of a narrow strip
 /// tell little about how it lies across, and beside an edge many samples have no good normal and are not taken.
 std::optional<Plane> planeByNormals(const Plane& fitted, const Moments& moments, double sigma) {
@@ -94,7 +98,7 @@ int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32
   int refused = 0;
   Hypothesis trial;
   trial.middle = points.middle();
-  trial.reach = reachOf(samples, set, trial.middle);
+  trial.reach = beyond(rules.noise) * reachOf(samples, set, trial.middle);
   const Moments moments = momentsOf(points);
   const auto judge = [&](const Shape& shape, bool concave) {
     trial.shape = shape;

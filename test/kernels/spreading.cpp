@@ -146,7 +146,7 @@ TEST(AxisBall, HasBinsOfNearlyEqualSizeAndEachAxisOnce) {
 TEST(AxisBall, NeighborhoodsHoldWhatAVoteNearTheBinTouches) {
   const AxisBall ball(10.0 * M_PI / 180.0);
   for (int bin = 0; bin < ball.binCount(); ++bin) {
-    const std::vector<int>& near = ball.neighborhood(bin);
+    const List<int>& near = ball.neighborhood(bin);
     EXPECT_EQ(near.front(), bin);
     EXPECT_GE(near.size(), 7u);
     EXPECT_LE(near.size(), 12u);
