@@ -43,6 +43,8 @@ def mix():
     yield Recipe("concave-mixed"), ALL_BOTH, FEW
     yield Recipe("small"), ALL, SOME
     yield Recipe("small", outliers=0.2), ALL, FEW
+    # Dozens of small faces on one body.
+    yield Recipe("parts", sigma=0.003), ALL, FEW
 
 
 def experiments(clouds, only=None):
