@@ -68,18 +68,24 @@ double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec
   return std::sqrt(farthest_sq);
 }
 
-/// Where a shape ends, in times the distance of the farthest sample that it was fitted to. A depth camera sees a
-/// surface whole, or something in front of it.
-double beyond(const NoiseModel& noise) { return noise.depth_share > 0.0 ? 1.0 : 2.5; }
+/// Where a shape ends, in times the distance of the farthest sample that it was fitted to. Measured: against no bound,
+/// 1 finds 0.6 % more of the shapes on tables and 2 % more among outliers, but outside of depth frames one cylinder in
+/// two hundred falls apart and 1 % of the cones go wrong; 2.5 does neither.
+double beyond(const NoiseModel& noise) {
+  constexpr double kOfDepth = 1.0, kOfOthers = 2.5;
+  return noise.depth_share > 0.0 ? kOfDepth : kOfOthers;
+}
 
 /// The plane that lies as its samples' normals say, where the one through its samples does not: those of a narrow strip
 /// tell little about how it lies across, and beside an edge many samples have no good normal and are not taken.
 std::optional<Plane> planeByNormals(const Plane& fitted, const Moments& moments, double sigma) {
   constexpr double kAskew = 0.05;  // rad
   constexpr double kNarrow = 3.5;  // standard deviations of the noise, across the strip
+  constexpr double kAgreed = 0.9;  // length of the mean normal: normals to both sides would cancel
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(moments.points, Eigen::EigenvaluesOnly);
   if (!(solver.eigenvalues()[1] < kNarrow * kNarrow * sigma * sigma)) return std::nullopt;
+  if (!(moments.mean_normal.norm() > kAgreed)) return std::nullopt;
   const Vec3 normal = moments.mean_normal.normalized();
   if (!(normal.cross(fitted.normal).norm() > kAskew)) return std::nullopt;
   return Plane{moments.mean_point, normal};
@@ -152,7 +158,7 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
   own.shape = hypothesis.shape;
   own.concave = hypothesis.concave;
   own.middle = hypothesis.middle;
-  own.reach = hypothesis.reach;
+  own.reach = beyond(rules.noise) * reachOf(samples, set, own.middle);  // as for its rivals
   score(samples, held, 1.0, own);
   double best = 0.0;
   fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {

@@ -85,10 +85,12 @@ SeenLine seenLine(const Cylinder& cylinder, const Vec3& middle) {
   return {foot + cylinder.radius * outward, cylinder.axis, outward, cylinder.radius};
 }
 
-/// The cylinder that touches a cone along the line that its points lie around.
-Shape straightened(const Cone& cone, const Vec3& middle) {
+/// The cylinder that touches a cone along the line that its points lie around; nothing for points at the apex.
+std::optional<Shape> straightened(const Cone& cone, const Vec3& middle) {
+  constexpr double kLeast = 1e-6;  // m
   const Vec3 outward = normalAt(cone, middle);
   const Vec3 point = middle - distance(cone, middle) * outward;
+  if (!((point - cone.apex).norm() > kLeast)) return std::nullopt;
   const Vec3 along = (point - cone.apex).normalized();
   const double radius = (point - cone.apex).norm() * std::tan(cone.half_angle);
   return Cylinder{point - radius * outward, along, radius};
@@ -102,7 +104,9 @@ Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& 
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
     for (const Shape& cone : tapered(seenLine(*cylinder, middle))) starts.push_back(cone);
   }
-  if (const Cone* cone = std::get_if<Cone>(&shape)) starts.push_back(straightened(*cone, middle));
+  if (const Cone* cone = std::get_if<Cone>(&shape)) {
+    if (const auto cylinder = straightened(*cone, middle)) starts.push_back(*cylinder);
+  }
   Shape best = shape;
   double best_fit = -1.0;
   for (const Shape& start : starts) {

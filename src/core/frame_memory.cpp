@@ -9,7 +9,10 @@
 namespace primitect {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if !defined(__has_feature)
+#define __has_feature(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
 constexpr bool kKeeps = false;
 #else
 constexpr bool kKeeps = true;

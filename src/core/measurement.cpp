@@ -29,8 +29,9 @@ Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params
       rays_(rays),
       noise_(noise),
       limits_(limits),
+      range_(rangeOf(params)),
       sigma_(noise),
-      truncation_(cloud, rays, rangeOf(params), sigma_) {}
+      truncation_(cloud, rays, range_, sigma_) {}
 
 Shape Measurement::fitted(const Shape& shape) {
   Shape start = shape;
@@ -58,7 +59,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.inlier_count = static_cast<std::uint32_t>(labelled.all);
   detection.rms_error = rmsDistance(detection.shape, points_);
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_);
-  detection.confidence *= static_cast<float>(trustIn(seenShare(detection, labelled.index, cloud_, rays_, sigma_)));
+  detection.confidence *=
+      static_cast<float>(trustIn(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);

@@ -34,6 +34,7 @@ class Measurement {
   ImageRays rays_;
   NoiseModel noise_;
   Limits limits_;
+  DepthRange range_;
   PointNoise sigma_;
   TruncationFinder truncation_;
   // Of one detection; their memory serves the next.

@@ -19,11 +19,13 @@ enum class Sight { surface, other, unknown };
 /// Looks at single pixels.
 class Looking {
  public:
-  Looking(const Cloud& cloud, const PointNoise& sigma) : cloud_(cloud), sigma_(sigma) {}
+  Looking(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, const PointNoise& sigma)
+      : cloud_(cloud), rays_(rays), range_(range), sigma_(sigma) {}
 
   Sight at(int column, int row, const Vec3& expected) const {
     constexpr double kOnSurface = 4.0;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
+    if (nearBound(expected)) return Sight::unknown;
     if (!cloud_.valid(i)) return inShadow(column, row, expected) ? Sight::unknown : Sight::other;
     if (hides(i, expected)) return Sight::unknown;
     return std::abs(cloud_.z[i] - expected.z()) < kOnSurface * sigma_(expected) ? Sight::surface : Sight::other;
@@ -40,22 +42,36 @@ class Looking {
     return cloud_.z[i] < expected.z() - kNearer * sigma_(expected);
   }
 
+  /// Noise takes points beyond a bound, where they are missing.
+  bool nearBound(const Vec3& expected) const {
+    constexpr double kDeviations = 3.0;
+    const double margin = kDeviations * sigma_(expected), z = expected.z();
+    return (range_.max > 0.0f && z > range_.max - margin) || (range_.min > 0.0f && z < range_.min + margin);
+  }
+
   /// A projector beside the camera leaves a gap along the edge of what hides.
   bool inShadow(int column, int row, const Vec3& expected) const {
-    constexpr int kWidest = 24;  // px: a step from 0.7 to 1 m makes 20
-    for (const int step : {-1, 1}) {
-      for (int c = column + step, left = kWidest; 0 <= c && c < static_cast<int>(cloud_.width) && left > 0; --left) {
-        if (cloud_.valid(index(c, row))) {
-          if (hides(index(c, row), expected)) return true;
-          break;
-        }
-        c += step;
-      }
+    return endsInHider(column, row, -1, expected) || endsInHider(column, row, 1, expected);
+  }
+
+  /// The gap in this direction ends at something that hides, and is no wider than the shadow of that.
+  bool endsInHider(int column, int row, int step, const Vec3& expected) const {
+    constexpr double kBaseline = 0.08;  // m, from the projector, or the second camera, to the camera: seldom more
+    constexpr int kLongest = 200;       // px
+    for (int gap = 1; gap <= kLongest; ++gap) {
+      const int c = column + gap * step;
+      if (c < 0 || c >= static_cast<int>(cloud_.width)) return false;
+      const std::size_t i = index(c, row);
+      if (!cloud_.valid(i)) continue;
+      const double widest = kBaseline / std::abs(rays_.x_scale) * (1.0 / cloud_.z[i] - 1.0 / expected.z());
+      return hides(i, expected) && gap <= widest + 2.0;
     }
     return false;
   }
 
   const Cloud& cloud_;
+  const ImageRays& rays_;
+  const DepthRange& range_;
   const PointNoise& sigma_;
 };
 
@@ -94,10 +110,11 @@ bool faces(const Shape& shape, bool concave, const Vec3& point) {
 
 template <class T>
 double shareOf(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-               const ImageRays& rays, const PointNoise& sigma) {
-  constexpr double kProbes = 1000.0;  // a share of 0.9 is then known to 0.01
+               const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+  constexpr double kProbes = 2000.0;    // of the box: even a tube across it gets some hundred
+  constexpr std::size_t kFewest = 100;  // a share of 0.9 is then known to 0.03
   const ObservedPart part(detection.shape, detection.extent);
-  const Looking looking(cloud, sigma);
+  const Looking looking(cloud, rays, range, sigma);
   const auto on = opened(shape);
   const double depth = cloud.z[pixels[pixels.size() / 2]];
   std::size_t surface = 0, other = 0;
@@ -112,18 +129,19 @@ double shareOf(const T& shape, const Detection& detection, const List<std::uint3
     surface += sight == Sight::surface ? 1 : 0;
     other += sight == Sight::other ? 1 : 0;
   });
-  return surface + other > 0 ? static_cast<double>(surface) / static_cast<double>(surface + other) : 1.0;
+  const std::size_t asked = surface + other;
+  return asked < kFewest ? 1.0 : static_cast<double>(surface) / static_cast<double>(asked);
 }
 
 }  // namespace
 
 double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                 const ImageRays& rays, const PointNoise& sigma) {
+                 const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
   if (!rays.known || pixels.empty()) return 1.0;
   if (const Cylinder* tube = std::get_if<Cylinder>(&detection.shape))
-    return shareOf(*tube, detection, pixels, cloud, rays, sigma);
+    return shareOf(*tube, detection, pixels, cloud, rays, range, sigma);
   if (const Cone* cone = std::get_if<Cone>(&detection.shape))
-    return shareOf(*cone, detection, pixels, cloud, rays, sigma);
+    return shareOf(*cone, detection, pixels, cloud, rays, range, sigma);
   return 1.0;
 }
 

@@ -68,7 +68,9 @@ struct Detector::Workspace {
         search(voting, verification, [this](const char* stage) { done(stage); }) {}
 
   void done(const char* stage) const {
-    if (stage_done) stage_done(stage);
+    if (!stage_done) return;
+    const FrameMemoryScope others(nullptr);  // what a callback makes is not the frame's
+    stage_done(stage);
   }
 
   /// Of all rounds of this frame.
@@ -115,6 +117,7 @@ struct Detector::Workspace {
 
   /// True from the first time on that the effort's owner says so.
   bool outOfTime() {
+    const FrameMemoryScope others(nullptr);
     out_of_time = out_of_time || (effort->out_of_time && effort->out_of_time());
     return out_of_time;
   }
@@ -245,9 +248,12 @@ struct Detector::Workspace {
     const auto enough = [this, fewest = fewestPoints()](std::size_t k) { return points[k].all >= fewest; };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
-      if (enough(k)) measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
-      if (!enough(k)) ++result.refusals[Refusal::few_inliers];
-      if (enough(k) && !likely(k)) ++result.refusals[Refusal::unlikely];
+      if (!enough(k)) {
+        ++result.refusals[Refusal::few_inliers];
+        continue;
+      }
+      measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
+      if (!likely(k)) ++result.refusals[Refusal::unlikely];
     }
     spare_outlines.keep(result.items, [&](std::size_t k) { return enough(k) && likely(k); });
   }

@@ -32,7 +32,7 @@ class Can : public testing::Test {
     if (with_post) world_.add("post", Rod{0.015, 0.4}, Eigen::Isometry3d(Eigen::Translation3d(-0.3, 0, 0.2)));
     const Eigen::Isometry3d pose = synthetic::lookAt(Vec3(-1.0, 0.0, 0.1), Vec3(0.0, 0.0, 0.08));
     frame_ = synthetic::renderFrame(world_, camera_, pose, synthetic::FrameParams(), 1, 0);
-    synthetic::cloudFromDepth(frame_.depth, camera_, {0.1f, 2.0f}, cloud_);
+    synthetic::cloudFromDepth(frame_.depth, camera_, range_, cloud_);
     for (std::size_t i = 0; i < cloud_.size(); ++i) {
       if (frame_.surface[i] == surface_ && cloud_.valid(i)) pixels_.push_back(static_cast<std::uint32_t>(i));
     }
@@ -64,7 +64,7 @@ class Can : public testing::Test {
 
   double share() const {
     const auto sigma = [](const Vec3& p) { return synthetic::axialSigma(p.z()); };
-    return seenShare(can_, pixels_, cloud_, rays_, sigma);
+    return seenShare(can_, pixels_, cloud_, rays_, range_, sigma);
   }
 
   synthetic::World world_;
@@ -75,6 +75,7 @@ class Can : public testing::Test {
   int surface_ = 0;
   List<std::uint32_t> pixels_;
   ImageRays rays_;
+  DepthRange range_ = {0.1f, 2.0f};
 };
 
 TEST_F(Can, ThatIsWholeIsSeenEverywhere) {
