@@ -245,7 +245,7 @@ struct Detector::Workspace {
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
-    const auto enough = [this, fewest = fewestPoints()](std::size_t k) { return points[k].all >= fewest; };
+    const auto enough = [this](std::size_t k) { return points[k].all >= fewestPoints(kindOf(result.items[k].shape)); };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
       if (!enough(k)) {
@@ -258,11 +258,13 @@ struct Detector::Workspace {
     spare_outlines.keep(result.items, [&](std::size_t k) { return enough(k) && likely(k); });
   }
 
-  /// The closer look may take every point of what is left: a shape has more of them than just those.
-  std::size_t fewestPoints() const {
-    constexpr double kLeastShare = 0.05;  // of the points that as many samples stand for on average
+  /// The closer look may take every point of what is left: a shape has more of them than just those. Slivers that the
+  /// flank of a tube leaves over, and crumbs of clutter, pass for planes.
+  std::size_t fewestPoints(Kind kind) const {
+    // Of the points that as many samples stand for on average.
+    const double least_share = kind == Kind::plane ? 0.3 : 0.05;
     const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
-    return static_cast<std::size_t>(params.min_inliers * std::max(1.0, kLeastShare * each));
+    return static_cast<std::size_t>(params.min_inliers * std::max(1.0, least_share * each));
   }
 
   void describeSegments(const List<Segment>& described, const Samples& of) {

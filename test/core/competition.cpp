@@ -40,6 +40,45 @@ std::optional<Kind> winnerOnTube(double radius, double depth, double noise_along
   return kindOf(hypothesis.shape);
 }
 
+/// Of a strip 1 m away, so narrow that its noise tilts a plane through its points by 6 deg across.
+std::vector<test::SurfacePoint> askewStrip(double turn_of_normals) {
+  constexpr double kAskew = 0.1;  // rad
+  const Vec3 normal(0, std::sin(turn_of_normals), -std::cos(turn_of_normals));
+  Random random(82);
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 100; ++i) {
+    const double across = random.uniform(-0.005, 0.005);
+    points.push_back({Vec3(random.uniform(-0.05, 0.05), across, 1.0 + kAskew * across), normal});
+  }
+  return points;
+}
+
+/// The normal of the plane that wins on these points.
+std::optional<Vec3> normalOfPlaneOn(const std::vector<test::SurfacePoint>& points) {
+  const NoiseModel noise = depthCamera();
+  Samples samples = test::samplesOf(points);
+  applyNoise(noise, samples);
+  const Params params;
+  Hypothesis hypothesis;
+  hypothesis.shape = Plane{points[0].point, points[0].normal};
+  const ProposalRules rules = {noise, {params, kLargest}, 1.0, kLargest};
+  if (!bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rules, hypothesis)) return {};
+  const Plane* plane = std::get_if<Plane>(&hypothesis.shape);
+  return plane ? std::optional<Vec3>(plane->normal) : std::nullopt;
+}
+
+TEST(Competition, LaysAPlaneOnANarrowStripAsItsNormalsSay) {
+  const std::optional<Vec3> normal = normalOfPlaneOn(askewStrip(0.0));
+  ASSERT_TRUE(normal);
+  EXPECT_NEAR(normal->y(), 0.0, 0.01);
+}
+
+TEST(Competition, LaysAPlaneThroughThePointsWhereNormalsAgreeWithThem) {
+  const std::optional<Vec3> normal = normalOfPlaneOn(askewStrip(0.1));
+  ASSERT_TRUE(normal);
+  EXPECT_NEAR(normal->y(), std::sin(0.1), 0.01);
+}
+
 TEST(Competition, FindsAThinTubeThatTurnsFar) {
   // 17 mm at 1 m are 9 standard deviations of the noise; over a patch that turns by 138 degrees the points stray by 1.7
   // of them across the plane through them.

@@ -215,6 +215,21 @@ TEST(Detector, RefusesAHandfulOfPointsInALargeCloud) {
   EXPECT_TRUE(spheresWith(90));
 }
 
+TEST(Detector, RefusesASliverForAPlane) {
+  // As above; of a plane 0.3 of the 1200 are wanted, 366.
+  Random random(47);
+  const std::vector<SurfacePoint> table = patchOf(kTable, 200000, 0.5, random);
+  const Plane wall = {kTable.point + 0.2 * kTable.normal, kTable.normal.unitOrthogonal()};
+  const auto planesWith = [&](int count) {
+    std::vector<SurfacePoint> points = table;
+    for (const SurfacePoint& p : patchOf(wall, count, 0.05, random)) points.push_back(p);
+    Detector detector{Params()};
+    return detector.detect(test::cloudOf(points)).items.size();
+  };
+  EXPECT_EQ(planesWith(300), 1u);
+  EXPECT_EQ(planesWith(450), 2u);
+}
+
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
   // A ball of 60 points on a table of 20000: too few samples in one round, when there is no closer look.
   Random random(44);

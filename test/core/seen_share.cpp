@@ -123,6 +123,21 @@ TEST_F(Can, InTheShadowOfAPostIsSeenEverywhereElse) {
   EXPECT_GT(share(), 1.0 - kBorders);
 }
 
+TEST_F(Can, AtTheBoundOfTheDepthIsSeenUpToIt) {
+  // The can's nearest line is 0.95 m away, its limb 1.0 m.
+  constexpr float kBound = 0.962f;
+  render(false);
+  List<std::uint32_t> left;
+  for (const std::uint32_t i : pixels_) {
+    if (cloud_.z[i] <= kBound) left.push_back(i);
+    if (cloud_.z[i] > kBound) miss(i);
+  }
+  pixels_ = left;
+  EXPECT_LT(share(), 0.8);
+  range_.max = kBound;
+  EXPECT_GT(share(), 1.0 - kBorders);
+}
+
 TEST_F(Can, IsTakenAsItIsWhereTheCloudIsNoImage) {
   render(false);
   changeSome(0.5, [this](std::uint32_t i) { miss(i); });
