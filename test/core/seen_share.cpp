@@ -133,7 +133,7 @@ TEST_F(Can, AtTheBoundOfTheDepthIsSeenUpToIt) {
     if (cloud_.z[i] > kBound) miss(i);
   }
   pixels_ = left;
-  EXPECT_LT(share(), 0.8);
+  EXPECT_LT(share(), 0.9);
   range_.max = kBound;
   EXPECT_GT(share(), 1.0 - kBorders);
 }
