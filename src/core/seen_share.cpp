@@ -26,7 +26,7 @@ class Looking {
     constexpr double kOnSurface = 4.0;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
     if (nearBound(expected)) return Sight::unknown;
-    if (!cloud_.valid(i)) return inShadow(column, row, expected) ? Sight::unknown : Sight::other;
+    if (!cloud_.valid(i)) return inHole(column, row, expected) ? Sight::other : Sight::unknown;
     if (hides(i, expected)) return Sight::unknown;
     return std::abs(cloud_.z[i] - expected.z()) < kOnSurface * sigma_(expected) ? Sight::surface : Sight::other;
   }
@@ -49,24 +49,39 @@ class Looking {
     return (range_.max > 0.0f && z > range_.max - margin) || (range_.min > 0.0f && z < range_.min + margin);
   }
 
-  /// A projector beside the camera leaves a gap along the edge of what hides.
-  bool inShadow(int column, int row, const Vec3& expected) const {
-    return endsInHider(column, row, -1, expected) || endsInHider(column, row, 1, expected);
+  /// The measured pixels on either side of a gap in a row; 0: none.
+  struct Gap {
+    int left, right;  ///< px from the place in it
+  };
+
+  Gap gapAt(int column, int row) const {
+    constexpr int kLongest = 200;  // px
+    const auto next = [&](int step) {
+      for (int away = 1; away <= kLongest; ++away) {
+        const int c = column + away * step;
+        if (c < 0 || c >= static_cast<int>(cloud_.width)) return 0;
+        if (cloud_.valid(index(c, row))) return away;
+      }
+      return 0;
+    };
+    return {next(-1), next(1)};
   }
 
-  /// The gap in this direction ends at something that hides, and is no wider than the shadow of that.
-  bool endsInHider(int column, int row, int step, const Vec3& expected) const {
+  /// Single pixels are missing everywhere; and a projector beside the camera leaves a gap along the edge of what hides.
+  bool inHole(int column, int row, const Vec3& expected) const {
+    constexpr int kWidestDropout = 8;  // px
+    const Gap gap = gapAt(column, row);
+    if (gap.left > 0 && gap.right > 0 && gap.left + gap.right <= kWidestDropout) return false;
+    return !(gap.left > 0 && isShadow(column - gap.left, row, gap.left, expected)) &&
+           !(gap.right > 0 && isShadow(column + gap.right, row, gap.right, expected));
+  }
+
+  /// A gap as wide as this may be the shadow of the pixel at its end.
+  bool isShadow(int column, int row, int width, const Vec3& expected) const {
     constexpr double kBaseline = 0.08;  // m, from the projector, or the second camera, to the camera: seldom more
-    constexpr int kLongest = 200;       // px
-    for (int gap = 1; gap <= kLongest; ++gap) {
-      const int c = column + gap * step;
-      if (c < 0 || c >= static_cast<int>(cloud_.width)) return false;
-      const std::size_t i = index(c, row);
-      if (!cloud_.valid(i)) continue;
-      const double widest = kBaseline / std::abs(rays_.x_scale) * (1.0 / cloud_.z[i] - 1.0 / expected.z());
-      return hides(i, expected) && gap <= widest + 2.0;
-    }
-    return false;
+    const std::size_t i = index(column, row);
+    const double widest = kBaseline / std::abs(rays_.x_scale) * (1.0 / cloud_.z[i] - 1.0 / expected.z());
+    return hides(i, expected) && width <= widest + 2.0;
   }
 
   const Cloud& cloud_;

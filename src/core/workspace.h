@@ -245,7 +245,9 @@ struct Detector::Workspace {
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
-    const auto enough = [this](std::size_t k) { return points[k].all >= fewestPoints(kindOf(result.items[k].shape)); };
+    const auto enough = [&](std::size_t k) {
+      return points[k].all >= fewestPoints(kindOf(result.items[k].shape), cloud);
+    };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
       if (!enough(k)) {
@@ -259,10 +261,12 @@ struct Detector::Workspace {
   }
 
   /// The closer look may take every point of what is left: a shape has more of them than just those. Slivers that the
-  /// flank of a tube leaves over, and crumbs of clutter, pass for planes.
-  std::size_t fewestPoints(Kind kind) const {
+  /// flank of a tube leaves over, and crumbs of clutter, pass for planes: of these an image, where every sample stands
+  /// for as many pixels, wants more.
+  std::size_t fewestPoints(Kind kind, const Cloud& cloud) const {
+    const bool in_image = cloud.organized() && verification.noise().depth_share > 0.0;
     // Of the points that as many samples stand for on average.
-    const double least_share = kind == Kind::plane ? 0.3 : 0.05;
+    const double least_share = in_image && kind == Kind::plane ? 0.3 : 0.05;
     const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
     return static_cast<std::size_t>(params.min_inliers * std::max(1.0, least_share * each));
   }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -215,19 +216,28 @@ TEST(Detector, RefusesAHandfulOfPointsInALargeCloud) {
   EXPECT_TRUE(spheresWith(90));
 }
 
-TEST(Detector, RefusesASliverForAPlane) {
-  // As above; of a plane 0.3 of the 1200 are wanted, 366.
-  Random random(47);
-  const std::vector<SurfacePoint> table = patchOf(kTable, 200000, 0.5, random);
-  const Plane wall = {kTable.point + 0.2 * kTable.normal, kTable.normal.unitOrthogonal()};
-  const auto planesWith = [&](int count) {
-    std::vector<SurfacePoint> points = table;
-    for (const SurfacePoint& p : patchOf(wall, count, 0.05, random)) points.push_back(p);
+TEST(Detector, RefusesASliverForAPlaneInAnImage) {
+  // A wall that fills the image, 307,200 pixels, and a flat box 12 cm before it: 25 of 6144 samples stand for 1250
+  // pixels, of which a plane needs 0.3.
+  constexpr double kWall = 1.2, kFocal = 570.0;
+  const auto planesWith = [&](int columns, int rows) {
+    Random random(47);
+    Cloud cloud;
+    cloud.reset(640, 480, false);
+    for (int row = 0; row < 480; ++row) {
+      for (int column = 0; column < 640; ++column) {
+        const bool on_box = std::abs(column - 320) * 2 < columns && std::abs(row - 240) * 2 < rows;
+        const double depth = (on_box ? kWall - 0.12 : kWall) + 0.001 * random.gaussian();
+        cloud.setPoint(static_cast<std::size_t>(row * 640 + column),
+                       static_cast<float>((column - 319.5) / kFocal * depth),
+                       static_cast<float>((row - 239.5) / kFocal * depth), static_cast<float>(depth), {});
+      }
+    }
     Detector detector{Params()};
-    return detector.detect(test::cloudOf(points)).items.size();
+    return detector.detect(cloud).items.size();
   };
-  EXPECT_EQ(planesWith(300), 1u);
-  EXPECT_EQ(planesWith(450), 2u);
+  EXPECT_EQ(planesWith(18, 14), 1u);
+  EXPECT_EQ(planesWith(40, 30), 2u);
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
