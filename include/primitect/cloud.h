@@ -18,6 +18,11 @@ struct DepthRange {
 
   /// Written so that NaN fails (REP 117).
   bool contains(float z) const { return (min <= 0.0f || min <= z) && (max <= 0.0f || z <= max); }
+
+  /// A bound is less than margin (m) away from this depth, or before it.
+  bool endsWithin(double margin, double z) const {
+    return (max > 0.0f && z > max - margin) || (min > 0.0f && z < min + margin);
+  }
 };
 
 /// Points of one frame, in metres. A missing point is NaN in x, y and z; a missing normal is NaN in nx, ny and nz.

@@ -60,29 +60,19 @@ double fitOf(const Shape& shape, const FitPoints& points) {
   return sum;
 }
 
-/// The line of a surface that the points lie around, and the surface there.
-struct SeenLine {
-  Vec3 point, direction, outward;  ///< direction and outward normal of length 1
-  double radius;                   ///< m, of the curvature across the line
-};
-
-/// Cones that touch the surface along the line and curve as it does, slightly tapered either way: where the search for
-/// a cone on a cylinder's points begins. About the cylinder's own axis they would lie askew to all that was seen.
-List<Shape> tapered(const SeenLine& line) {
+/// Cones that touch the cylinder along the line that the points lie around and curve as it does there, slightly tapered
+/// either way: where the search for a cone on its points begins. About its own axis they would lie askew to all that
+/// was seen.
+List<Shape> tapered(const Cylinder& cylinder, const Vec3& middle) {
   constexpr double kTaper = 0.1;  // rad
+  const Vec3 foot = cylinder.point + (middle - cylinder.point).dot(cylinder.axis) * cylinder.axis;
+  const Vec3 outward = normalAt(cylinder, middle), seen = foot + cylinder.radius * outward;
   List<Shape> cones;
   for (const double way : {-1.0, 1.0}) {
-    const Vec3 opening = way * line.direction;
-    const Vec3 apex = line.point - line.radius / std::tan(kTaper) * opening;
-    cones.push_back(Cone{apex, std::cos(kTaper) * opening - std::sin(kTaper) * line.outward, kTaper});
+    const Vec3 opening = way * cylinder.axis, apex = seen - cylinder.radius / std::tan(kTaper) * opening;
+    cones.push_back(Cone{apex, std::cos(kTaper) * opening - std::sin(kTaper) * outward, kTaper});
   }
   return cones;
-}
-
-SeenLine seenLine(const Cylinder& cylinder, const Vec3& middle) {
-  const Vec3 foot = cylinder.point + (middle - cylinder.point).dot(cylinder.axis) * cylinder.axis;
-  const Vec3 outward = normalAt(cylinder, middle);
-  return {foot + cylinder.radius * outward, cylinder.axis, outward, cylinder.radius};
 }
 
 /// The cylinder that touches a cone along the line that its points lie around; nothing for points at the apex.
@@ -102,7 +92,7 @@ Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& 
   List<Shape> starts = {shape};
   const Vec3 middle = points.middle();
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    for (const Shape& cone : tapered(seenLine(*cylinder, middle))) starts.push_back(cone);
+    for (const Shape& cone : tapered(*cylinder, middle)) starts.push_back(cone);
   }
   if (const Cone* cone = std::get_if<Cone>(&shape)) {
     if (const auto cylinder = straightened(*cone, middle)) starts.push_back(*cylinder);

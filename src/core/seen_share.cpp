@@ -45,8 +45,7 @@ class Looking {
   /// Noise takes points beyond a bound, where they are missing.
   bool nearBound(const Vec3& expected) const {
     constexpr double kDeviations = 3.0;
-    const double margin = kDeviations * sigma_(expected), z = expected.z();
-    return (range_.max > 0.0f && z > range_.max - margin) || (range_.min > 0.0f && z < range_.min + margin);
+    return range_.endsWithin(kDeviations * sigma_(expected), expected.z());
   }
 
   /// The measured pixels on either side of a gap in a row; 0: none.

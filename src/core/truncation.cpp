@@ -73,8 +73,7 @@ class Walk {
   bool outOfRange(const Pixel& pixel, int gap) const {
     constexpr int kAtOnce = 3;  // px
     const double margin = kOnSurface * sigma_(depth_ * rays_.through(pixel.column, pixel.row));
-    return gap <= kAtOnce &&
-           ((range_.max > 0.0f && depth_ > range_.max - margin) || (range_.min > 0.0f && depth_ < range_.min + margin));
+    return gap <= kAtOnce && range_.endsWithin(margin, depth_);
   }
 
   /// Nearer than the surface, and than another could be that meets it where the gap began.
