@@ -11,6 +11,7 @@
 #include "core/curvature.h"
 #include "core/fitting.h"
 #include "core/segmentation.h"
+#include "core/tapered.h"
 
 namespace primitect {
 namespace {
@@ -112,18 +113,28 @@ int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32
     score(samples, held, 1.0, trial);
     use(trial);
   };
-  for (const Start& start : startsFor(hypothesis, moments, points.meanSigma(), rules)) {
+  std::optional<Start> cylinder;  // the best one
+  double most = 0.0;
+  const auto fit = [&](const Start& start) {
     const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
-    if (!shape) continue;
+    if (!shape) return;
     if (!rules.limits.hold(*shape) || tooThin(*shape, points.meanSigma(), rules.noise)) {
       ++refused;
-      continue;
+      return;
     }
     judge(*shape, start.concave);
+    if (kindOf(*shape) == Kind::cylinder && trial.score > most) {
+      cylinder = {*shape, start.concave};
+      most = trial.score;
+    }
     if (const Plane* plane = std::get_if<Plane>(&*shape)) {
       if (const auto by_normals = planeByNormals(*plane, moments, points.meanSigma()))
         judge(*by_normals, start.concave);
     }
+  };
+  for (const Start& start : startsFor(hypothesis, moments, points.meanSigma(), rules)) fit(start);
+  if (cylinder && enabled(Kind::cone, rules.limits.params)) {
+    fit({tapered(std::get<Cylinder>(cylinder->shape), points), cylinder->concave});
   }
   return refused;
 }

@@ -57,10 +57,10 @@ Features featuresOf(Kind kind, const Evidence& e) {
 // Printed by eval/calibrate; a row a kind. How far a shape runs on into nothing known tells no more than what is
 // against it; nor does the residual along the border.
 constexpr std::array<Features, kKindCount> kWeights = {{
-    {{-6.84, 0.91, 8.07, -8.16, -2.22, 0, 0}},         // plane
-    {{-5.9, 0.0827, 7.92, -22.6, -4.69, 15.2, 1.29}},  // sphere
-    {{-16.3, 2.03, 0, -4.64, -1.61, 12.1, 8.9}},       // cylinder
-    {{-6.53, 1.12, 4.09, -15, -6, 6, 3.74}},           // cone
+    {{-6.84, 0.91, 8.07, -8.16, -2.22, 0, 0}},     // plane
+    {{-1.92, 0.425, 6.04, -21.8, -4.19, 7.1, 0}},  // sphere
+    {{-5.47, 0.813, 0, -6.75, -2.9, 0, 8.09}},     // cylinder
+    {{-6.53, 1.12, 4.09, -15, -6, 6, 3.74}},       // cone
 }};
 
 }  // namespace

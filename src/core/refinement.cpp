@@ -92,7 +92,7 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
                                      equations);
     const double length = kLengthened<T> ? lengthOf(equations) : 1.0;
     const Gradient step = length * solve<parameterCount(kKindOf<T>)>(equations);
-    shape = stepped(shape, toLocal(shape, turn, step));
+    shape = stepped(shape, toLocal(shape, turn, step), points.middle());
     if (!usable(shape)) return std::nullopt;
     if (iteration >= rules.wide_steps && isSmall(step, equations, small)) break;
   }

@@ -4,6 +4,7 @@
 #include "core/residuals.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace primitect {
@@ -75,6 +76,22 @@ Cone stepped(const Cone& cone, const Gradient& step) {
                             : along;
   const Vec3 apex = cone.apex + step.head<3>() + (wanted - along) * cone.axis;
   return {apex, turn.turned(cone.axis, step[3], step[4]), half_angle};
+}
+
+Cone stepped(const Cone& cone, const Gradient& step, const Vec3& beside) {
+  constexpr double kLeast = 1e-4;  // rad
+  const double height = (beside - cone.apex).dot(cone.axis);
+  if (!(height > 0.0)) return stepped(cone, step);
+  const Turn turn(cone.axis);
+  const double along = step.head<3>().dot(cone.axis), tangent = std::tan(cone.half_angle);
+  const Vec3 across = step.head<3>() - along * cone.axis;
+  const Vec3 center = cone.apex + height * (cone.axis + step[3] * turn.first + step[4] * turn.second) + across;
+  const double radius = (height - along) * tangent + height * (1.0 + tangent * tangent) * step[5];
+  const double angle = cone.half_angle + step[5];
+  Vec3 axis = turn.turned(cone.axis, step[3], step[4]);
+  if (angle < 0.0) axis = -axis;
+  const double half_angle = std::max(std::abs(angle), kLeast);
+  return {center - radius / std::tan(half_angle) * axis, axis, radius > 0.0 ? half_angle : -half_angle};
 }
 
 Residual residual(const Shape& shape, const Vec3& p) {
