@@ -56,6 +56,7 @@ List<Start> startsFor(const Hypothesis& hypothesis, const Moments& moments, doub
     if (!curved) break;
     if (params.convexity == (concave ? "convex" : "concave")) continue;
     for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+      if (kind == kindOf(hypothesis.shape) && concave == hypothesis.concave) continue;
       add(fitFromMoments(kind, concave ? flipped(moments) : moments), concave);
     }
   }
