@@ -261,12 +261,12 @@ struct Detector::Workspace {
   }
 
   /// The closer look may take every point of what is left: a shape has more of them than just those. Slivers that the
-  /// flank of a tube leaves over, and crumbs of clutter, pass for planes: of these an image, where every sample stands
-  /// for as many pixels, wants more.
+  /// flank of a tube leaves over, and crumbs of clutter, pass for planes: these need more, and in an image, where every
+  /// sample stands for as many pixels, twice as much.
   std::size_t fewestPoints(Kind kind, const Cloud& cloud) const {
     const bool in_image = cloud.organized() && verification.noise().depth_share > 0.0;
     // Of the points that as many samples stand for on average.
-    const double least_share = in_image && kind == Kind::plane ? 0.3 : 0.05;
+    const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
     const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
     return static_cast<std::size_t>(params.min_inliers * std::max(1.0, least_share * each));
   }

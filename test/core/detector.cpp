@@ -216,6 +216,21 @@ TEST(Detector, RefusesAHandfulOfPointsInALargeCloud) {
   EXPECT_TRUE(spheresWith(90));
 }
 
+TEST(Detector, RefusesACrumbForAPlaneInALargeCloud) {
+  // As above; of a plane it is 0.15 of 1200.
+  Random random(48);
+  const std::vector<SurfacePoint> table = patchOf(kTable, 200000, 0.5, random);
+  const auto planesWith = [&](int count) {
+    std::vector<SurfacePoint> points = table;
+    const Plane lid = {kTable.point + 0.15 * kTable.normal, kTable.normal};
+    for (const SurfacePoint& p : patchOf(lid, count, 0.05, random)) points.push_back(p);
+    Detector detector{Params()};
+    return detector.detect(test::cloudOf(points)).items.size();
+  };
+  EXPECT_EQ(planesWith(150), 1u);
+  EXPECT_EQ(planesWith(230), 2u);
+}
+
 TEST(Detector, RefusesASliverForAPlaneInAnImage) {
   // A wall that fills the image, 307,200 pixels, and a flat box 12 cm before it: 25 of 6144 samples stand for 1250
   // pixels, of which a plane needs 0.3.
