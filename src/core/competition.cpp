@@ -100,9 +100,9 @@ int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32
   FitPoints points;
   points.gather({samples, set});
   // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
-  // below what few samples can tell. With six steps instead of ten a twentieth of the cones become cylinders.
+  // below what few samples can tell.
   constexpr double kSmallStep = 0.02;  // of the noise
-  const RefineRules refine_rules = {rules.widen, 2, 10, kSmallStep / kInlierDeviations};
+  const RefineRules refine_rules = {rules.widen, 2, 6, kSmallStep / kInlierDeviations};
   int refused = 0;
   Hypothesis trial;
   trial.middle = points.middle();

@@ -69,11 +69,6 @@ double lengthOf(const kernels::NormalEquations& equations) {
   return equations.weight < kMost * equations.curvature ? std::max(1.0, equations.weight / equations.curvature) : kMost;
 }
 
-/// Whether steps are lengthened. Cylinders and cones creep along what they can hardly tell, and must not get farther
-/// on one kind than on the other: lengthened, one in a hundred ends as the wrong one of the two.
-template <class T>
-constexpr bool kLengthened = kKindOf<T> == Kind::plane || kKindOf<T> == Kind::sphere;
-
 /// Root mean square of what the step moves the surface by at the points is less than this share of the tolerance.
 bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, double share) {
   const Eigen::Map<const Gradient> right(equations.right);
@@ -82,19 +77,16 @@ bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, do
 
 template <class T>
 std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules) {
-  constexpr double kOfPlainSteps = 0.1;  // they do not end where the last one leads
-  const double small = rules.small_step * (kLengthened<T> ? 1.0 : kOfPlainSteps);
   kernels::NormalEquations equations = {};
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     const Turn turn = turnOf(shape);
     kernels::loops().normalEquations(flattened(shape, points.origin()), flattened(turn), points.view(), scale,
                                      equations);
-    const double length = kLengthened<T> ? lengthOf(equations) : 1.0;
-    const Gradient step = length * solve<parameterCount(kKindOf<T>)>(equations);
+    const Gradient step = lengthOf(equations) * solve<parameterCount(kKindOf<T>)>(equations);
     shape = stepped(shape, toLocal(shape, turn, step), points.middle());
     if (!usable(shape)) return std::nullopt;
-    if (iteration >= rules.wide_steps && isSmall(step, equations, small)) break;
+    if (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step)) break;
   }
   return shape;
 }
