@@ -23,10 +23,11 @@ Cloud largeTabletop() {
   return test::cloudOf(test::tabletop({30000, 10000, 10000, 10000}, random));
 }
 
-/// One draw.
+/// One draw of 2048 samples.
 Params oneDraw() {
   Params params;
   params.rounds = 1;
+  params.samples = 2048;
   params.closer_samples = 0;
   return params;
 }
@@ -149,7 +150,7 @@ TEST(OutOfTime, SkipsTheRestOfTheSearchAndStillMeasures) {
   EXPECT_EQ(test::stagesOf(detector, cloud, {1.0, [] { return true; }}),
             "sample normals vote segment look closer measure ");
   const Detections first_round = detector.detect(cloud, {1.0, [] { return true; }});
-  EXPECT_EQ(first_round.samples, 2048u);
+  EXPECT_EQ(first_round.samples, static_cast<std::uint32_t>(Params().samples));
   ASSERT_TRUE(finds(first_round, Kind::plane));
   for (const Detection& item : first_round.items) {
     EXPECT_GE(item.confidence, Params().min_confidence);
@@ -161,6 +162,7 @@ TEST(OutOfTime, SkipsTheRestOfTheSearchAndStillMeasures) {
 TEST(OutOfTime, IsAskedBeforeEachLaterRoundAndTheCloserLook) {
   Params params;
   params.rounds = 3;
+  params.samples = 2048;
   Detector detector(params);
   // Noise leaves something for every round.
   Random random(52);

@@ -17,7 +17,9 @@ using Json = nlohmann::ordered_json;
 const std::vector<std::string> kStages = {"sample", "normals", "vote", "segment", "look closer", "measure"};
 
 /// Planes alone leave the ball to the second round.
-const char* const kTwoRounds = " --rounds 2 --detect_spheres false --detect_cylinders false --detect_cones false";
+const char* const kTwoRounds =
+    " --rounds 2 --samples 2048 --closer_samples 0 --detect_spheres false --detect_cylinders false --detect_cones "
+    "false";
 
 std::size_t timesIn(const std::string& text, const std::string& part) {
   std::size_t count = 0;
