@@ -116,9 +116,10 @@ void addCurves(const SharedClouds& paper, std::vector<Case>& cases) {
     const SharedClouds clouds = lazily([=] { return std::vector<Cloud>{paperCloudOf(points)}; });
     cases.push_back(detectCase("points/" + std::to_string(points), clouds, sceneParams("default")));
   }
-  for (const int samples : {1024, 2048, 4096, 8192, 16384}) {
+  for (const int samples : {640, 1280, 2560, 5120, 10240}) {
     Params params = sceneParams("default");
     params.samples = samples;
+    params.closer_samples = samples * 8 / 5;  // as many times as in the preset
     cases.push_back(detectCase("samples/" + std::to_string(samples), paper, params));
   }
   for (const int objects : {1, 2, 4, 8, 12, 16, 20, 24}) {

@@ -14,7 +14,7 @@ import unittest
 
 EVAL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 PROGRAMS = sys.argv.pop()
-CASES = {"detect/wall-640/default", "detect/clutter-640/default", "points/10000", "samples/1024", "objects/1"}
+CASES = {"detect/wall-640/default", "detect/clutter-640/default", "points/10000", "samples/1280", "objects/1"}
 CASES_WITH_ROS = {"frame/wall-640/16", "pixels/10000"}
 STAGES = {"sample", "normals", "vote"}  # that every detection has, whatever comes after
 

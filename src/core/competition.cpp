@@ -40,23 +40,27 @@ struct Start {
   bool concave;
 };
 
-/// The hypothesis itself, a plane, and every curved kind on every side that is wanted.
-List<Start> startsFor(const Hypothesis& hypothesis, const Moments& moments, double sigma, const ProposalRules& rules) {
+/// A cylinder helps to find cones, too (tapered.h).
+bool isFitted(Kind kind, const Params& params) {
+  return enabled(kind, params) || (kind == Kind::cylinder && enabled(Kind::cone, params));
+}
+
+/// Its own, a plane, and every curved kind on every side that is wanted.
+List<Start> startsFor(const Start& own, const Moments& moments, double sigma, const ProposalRules& rules) {
   const Params& params = rules.limits.params;
   const bool curved = curvesEnough(moments, sigma, rules.noise);
   List<Start> starts;
   const auto add = [&](const std::optional<Shape>& shape, bool concave) {
-    if (!shape || !enabled(kindOf(*shape), params)) return;
+    if (!shape || !isFitted(kindOf(*shape), params)) return;
     if (curved || kindOf(*shape) == Kind::plane) starts.push_back({*shape, concave});
   };
-  add(hypothesis.shape, hypothesis.concave);
+  add(own.shape, own.concave);
   // From anywhere near, there is only one plane to come to.
   if (starts.empty() || kindOf(starts[0].shape) != Kind::plane) add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {
     if (!curved) break;
     if (params.convexity == (concave ? "convex" : "concave")) continue;
     for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
-      if (kind == kindOf(hypothesis.shape) && concave == hypothesis.concave) continue;
       add(fitFromMoments(kind, concave ? flipped(moments) : moments), concave);
     }
   }
@@ -93,52 +97,83 @@ std::optional<Plane> planeByNormals(const Plane& fitted, const Moments& moments,
   return Plane{moments.mean_point, normal};
 }
 
-/// Calls use(trial) with the fit from each start that ends within the limits, and its score; counts those that do not.
+/// Fits of all kinds to the same samples, each judged by what it explains: calls use(trial).
 template <class Use>
-int fitAll(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set, const ProposalRules& rules,
-           const Hypothesis& hypothesis, const Use& use) {
-  FitPoints points;
-  points.gather({samples, set});
-  // First with the tolerance that gathered the samples, so that a poor start is not left where it is; to a step far
-  // below what few samples can tell.
-  constexpr double kSmallStep = 0.02;  // of the noise
-  const RefineRules refine_rules = {rules.widen, 2, 6, kSmallStep / kInlierDeviations};
-  int refused = 0;
-  Hypothesis trial;
-  trial.middle = points.middle();
-  trial.reach = beyond(rules.noise) * reachOf(samples, set, trial.middle);
-  const Moments moments = momentsOf(points);
-  const auto judge = [&](const Shape& shape, bool concave) {
-    trial.shape = shape;
-    trial.concave = concave;
-    score(samples, held, 1.0, trial);
-    use(trial);
-  };
-  std::optional<Start> cylinder;  // the best one
-  double most = 0.0;
-  const auto fit = [&](const Start& start) {
-    const std::optional<Shape> shape = refine(start.shape, points, refine_rules);
-    if (!shape) return;
-    if (!rules.limits.hold(*shape) || tooThin(*shape, points.meanSigma(), rules.noise)) {
-      ++refused;
-      return;
-    }
-    judge(*shape, start.concave);
-    if (kindOf(*shape) == Kind::cylinder && trial.score > most) {
-      cylinder = {*shape, start.concave};
-      most = trial.score;
-    }
-    if (const Plane* plane = std::get_if<Plane>(&*shape)) {
-      if (const auto by_normals = planeByNormals(*plane, moments, points.meanSigma()))
-        judge(*by_normals, start.concave);
-    }
-  };
-  for (const Start& start : startsFor(hypothesis, moments, points.meanSigma(), rules)) fit(start);
-  if (cylinder && enabled(Kind::cone, rules.limits.params)) {
-    fit({tapered(std::get<Cylinder>(cylinder->shape), points), cylinder->concave});
+class Fits {
+ public:
+  Fits(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set, const ProposalRules& rules,
+       const Use& use)
+      : samples_(samples), held_(held), rules_(rules), use_(use) {
+    points_.gather({samples, set});
+    moments_ = momentsOf(points_);
+    trial_.middle = points_.middle();
+    trial_.reach = beyond(rules.noise) * reachOf(samples, set, trial_.middle);
   }
-  return refused;
-}
+
+  /// From all starts; returns how many ended beyond the limits. Once its own has led somewhere, no other of its kind
+  /// and side is tried.
+  int all(const Start& own) {
+    int refused = 0;
+    bool own_holds = false;
+    const auto like_own = [&own](const Start& s) {
+      return kindOf(s.shape) == kindOf(own.shape) && s.concave == own.concave;
+    };
+    for (const Start& start : startsFor(own, moments_, points_.meanSigma(), rules_)) {
+      if (own_holds && like_own(start)) continue;
+      const std::optional<bool> holds = from(start);
+      own_holds = own_holds || (like_own(start) && holds.value_or(false));
+      if (holds && !*holds && enabled(kindOf(start.shape), rules_.limits.params)) ++refused;
+    }
+    if (best_cylinder_ && enabled(Kind::cone, rules_.limits.params)) {
+      from({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
+    }
+    return refused;
+  }
+
+ private:
+  /// Whether the fit ends within the limits; nothing when it fails.
+  std::optional<bool> from(const Start& start) {
+    // Two steps with the tolerance that gathered the samples, so that a poor start is not left where it is; the last
+    // one is far below what few samples can tell. More than six find nothing else.
+    constexpr double kSmallStep = 0.02;  // of the noise
+    const std::optional<Shape> shape =
+        refine(start.shape, points_, {rules_.widen, 2, 6, kSmallStep / kInlierDeviations});
+    if (!shape) return std::nullopt;
+    if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave});
+    if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_.noise)) return false;
+    judge(*shape, start.concave);
+    if (const Plane* plane = std::get_if<Plane>(&*shape)) {
+      const auto by_normals = planeByNormals(*plane, moments_, points_.meanSigma());
+      if (by_normals) judge(*by_normals, start.concave);
+    }
+    return true;
+  }
+
+  void judge(const Shape& shape, bool concave) {
+    trial_.shape = shape;
+    trial_.concave = concave;
+    score(samples_, held_, 1.0, trial_);
+    use_(trial_);
+  }
+
+  /// Cones may begin at a cylinder that is none itself.
+  void remember(const Start& cylinder) {
+    const double agreed = agreement(cylinder.shape, points_);
+    if (!(agreed > best_agreement_)) return;
+    best_cylinder_ = cylinder;
+    best_agreement_ = agreed;
+  }
+
+  const Samples& samples_;
+  const HeldGains& held_;
+  const ProposalRules& rules_;
+  const Use& use_;
+  FitPoints points_;
+  Moments moments_;
+  Hypothesis trial_;
+  std::optional<Start> best_cylinder_;
+  double best_agreement_ = 0.0;
+};
 
 }  // namespace
 
@@ -149,14 +184,15 @@ bool Limits::hold(const Shape& shape) const {
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
   double best = 0.0;
-  const int refused = fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
+  const auto take = [&](const Hypothesis& trial) {
     if (!(trial.score > best)) return;
     best = trial.score;
     hypothesis.shape = trial.shape;
     hypothesis.concave = trial.concave;
     hypothesis.middle = trial.middle;
     hypothesis.reach = trial.reach;
-  });
+  };
+  const int refused = Fits(samples, held, set, rules, take).all({hypothesis.shape, hypothesis.concave});
   if (refusals) (*refusals)[Refusal::limits] += refused;
   if (best > 0.0) evaluate(samples, held, 1.0, hypothesis);
   return best > 0.0;
@@ -173,13 +209,22 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
   own.reach = beyond(rules.noise) * reachOf(samples, set, own.middle);  // as for its rivals
   score(samples, held, 1.0, own);
   double best = 0.0;
-  fitAll(samples, held, set, rules, hypothesis, [&](const Hypothesis& trial) {
-    if (kindOf(trial.shape) == kindOf(hypothesis.shape) || !(trial.score > best)) return;
+  double best_to_lead = 0.0;
+  const Kind own_kind = kindOf(hypothesis.shape);
+  const auto compare = [&](const Hypothesis& trial) {
+    const Kind kind = kindOf(trial.shape);
+    if (kind == own_kind) return;
+    // A cone that hardly tapers is always near a cylinder; the points of the cloud will tell (dense_fit.h).
+    const bool undecided = own_kind == Kind::cylinder && kind == Kind::cone;
+    if (!undecided) best_to_lead = std::max(best_to_lead, trial.score);
+    if (!(trial.score > best)) return;
     best = trial.score;
-    rival.kind = kindOf(trial.shape);
-  });
-  rival.lead = (own.score - best) / static_cast<double>(set.size());
-  if (rival.lead > kClose) rival.kind.reset();
+    rival.kind = kind;
+  };
+  Fits(samples, held, set, rules, compare).all({hypothesis.shape, hypothesis.concave});
+  const auto inliers = static_cast<double>(set.size());
+  rival.lead = (own.score - best_to_lead) / inliers;
+  if (own.score - best > kClose * inliers) rival.kind.reset();
   return rival;
 }
 

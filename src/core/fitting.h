@@ -55,4 +55,7 @@ std::optional<Shape> refine(const Shape& start, const FitPoints& points, const R
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
                             const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules = {});
 
+/// How well a shape agrees with the points: sum of 1 - (distance / tolerance)^2 over those within their tolerance.
+double agreement(const Shape& shape, const FitPoints& points);
+
 }  // namespace primitect

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-// Where samples are dense, as on what the first round left over, the nearest pairs tell nearly as much as all: what
+// Where samples are dense, as in the closer look, the nearest pairs tell nearly as much as all: what
 // they vote for is fitted to all samples near it.
 constexpr int kMostBoxes = 16;
 

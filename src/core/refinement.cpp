@@ -3,6 +3,7 @@
 // Robust Gauss-Newton on geometric distances; see fitting.h.
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/fitting.h"
@@ -95,6 +96,25 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
 
 std::optional<Shape> refine(const Shape& start, const FitPoints& points, const RefineRules& rules) {
   return std::visit([&](const auto& shape) { return refineKind(shape, points, rules); }, start);
+}
+
+double agreement(const Shape& shape, const FitPoints& points) {
+  constexpr std::size_t kAtOnce = 256;
+  std::array<float, kAtOnce> distance;
+  const kernels::FlatShape flat = flattened(shape, points.origin());
+  const kernels::FitPoints p = points.view();
+  double sum = 0.0;
+  for (std::size_t begin = 0; begin < p.count; begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, p.count - begin);
+    kernels::loops().distances(flat, p.x + begin, p.y + begin, p.z + begin, count, distance.data());
+    std::array<float, kernels::kLanes> some = {};
+    for (std::size_t k = 0; k < count; ++k) {
+      const float share = distance[k] * p.inverse_tolerance[begin + k];
+      some[k % kernels::kLanes] += share * share < 1.0f ? 1.0f - share * share : 0.0f;
+    }
+    for (const float of_lane : some) sum += of_lane;
+  }
+  return sum;
 }
 
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,

@@ -79,7 +79,7 @@ Cone stepped(const Cone& cone, const Gradient& step) {
 }
 
 Cone stepped(const Cone& cone, const Gradient& step, const Vec3& beside) {
-  constexpr double kLeast = 1e-4;  // rad
+  constexpr double kLeast = 0.05;  // rad: of a cone that tapers less the apex is so far away that no step gets on
   const double height = (beside - cone.apex).dot(cone.axis);
   if (!(height > 0.0)) return stepped(cone, step);
   const Turn turn(cone.axis);

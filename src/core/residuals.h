@@ -87,10 +87,11 @@ Sphere stepped(const Sphere& sphere, const Gradient& step);
 Cylinder stepped(const Cylinder& cylinder, const Gradient& step);
 Cone stepped(const Cone& cone, const Gradient& step);
 
-/// The same, of which the circle around the axis beside this point moves as the step says: the apex and the angle of a
-/// slender cone far from its apex are not linear in what moves the surface. Tapered less than not at all, it opens the
-/// other way.
+/// The same, of which the circle around the axis beside this point (m) moves as the step says: the apex and the angle
+/// of a slender cone far from its apex are not linear in what moves the surface. Tapered less than not at all, it opens
+/// the other way.
 Cone stepped(const Cone& cone, const Gradient& step, const Vec3& beside);
+/// Of the other kinds there is one step, wherever the points are.
 template <class T>
 T stepped(const T& shape, const Gradient& step, const Vec3&) {
   return stepped(shape, step);

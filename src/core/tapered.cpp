@@ -3,38 +3,17 @@
 // Trying tapers one by one; see tapered.h.
 #include "core/tapered.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/flat.h"
+#include "core/fitting.h"
 
 namespace primitect {
 namespace {
 
-/// Half angles (rad) near enough to each other that Gauss-Newton gets from one to the next.
-constexpr double kTapers[] = {0.1, 0.25, 0.45};
+/// Half angles (rad) near enough to each other, and to all that occur, that Gauss-Newton gets from one to the truth.
+constexpr double kTapers[] = {0.1, 0.25, 0.45, 0.8};
 
 }  // namespace
-
-double agreement(const Shape& shape, const FitPoints& points) {
-  constexpr std::size_t kAtOnce = 256;
-  std::array<float, kAtOnce> distance;
-  const kernels::FlatShape flat = flattened(shape, points.origin());
-  const kernels::FitPoints p = points.view();
-  double sum = 0.0;
-  for (std::size_t begin = 0; begin < p.count; begin += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, p.count - begin);
-    kernels::loops().distances(flat, p.x + begin, p.y + begin, p.z + begin, count, distance.data());
-    std::array<float, kernels::kLanes> some = {};
-    for (std::size_t k = 0; k < count; ++k) {
-      const float share = distance[k] * p.inverse_tolerance[begin + k];
-      some[k % kernels::kLanes] += share * share < 1.0f ? 1.0f - share * share : 0.0f;
-    }
-    for (const float of_lane : some) sum += of_lane;
-  }
-  return sum;
-}
 
 Cone tapered(const Cylinder& cylinder, const FitPoints& points) {
   const Vec3& middle = points.middle();

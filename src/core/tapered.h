@@ -8,12 +8,10 @@
 
 namespace primitect {
 
-/// Sum of 1 - (distance / tolerance)^2 over the points within their tolerance.
-double agreement(const Shape& shape, const FitPoints& points);
-
 /// Of the cones that touch the cylinder along the line that the points lie around, and curve as it does there, the one
 /// whose taper agrees best with the points. About the cylinder's own axis a cone would lie askew to all that was seen;
-/// and from normals, whose noise turns them off a narrow arc, its axis comes out wrong.
+/// and from normals, whose noise turns them off a narrow arc, its axis comes out wrong. Of points all around the axis
+/// there is no such line, and it is any one.
 Cone tapered(const Cylinder& cylinder, const FitPoints& points);
 
 }  // namespace primitect

@@ -223,7 +223,7 @@ struct Detector::Workspace {
     result.refusals = verification.refusals();
   }
 
-  /// What is left of all rounds votes once more: together, samples of a small surface are enough.
+  /// What is left of all samples votes once more: together, samples of a small surface are enough.
   void voteAgain() {
     const List<std::uint32_t> rest = verification.unexplained();
     const Samples voters = verification.samples().part(rest);
@@ -268,7 +268,7 @@ struct Detector::Workspace {
     // Of the points that as many samples stand for on average.
     const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
     const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
-    return static_cast<std::size_t>(params.min_inliers * std::max(1.0, least_share * each));
+    return static_cast<std::size_t>(inliersAtThisEffort() * std::max(1.0, least_share * each));
   }
 
   void describeSegments(const List<Segment>& described, const Samples& of) {

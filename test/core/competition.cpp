@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "test/support/exact_shapes.h"
+#include "test/support/noisy_points.h"
 
 namespace primitect {
 namespace {
@@ -83,6 +83,58 @@ TEST(Competition, FindsAThinTubeThatTurnsFar) {
   // 17 mm at 1 m are 9 standard deviations of the noise; over a patch that turns by 138 degrees the points stray by 1.7
   // of them across the plane through them.
   EXPECT_EQ(winnerOnTube(0.017, 1.0), Kind::cylinder);
+}
+
+/// Of a cone of 25 deg, an arc of 80 deg and a fifth of the way to its apex, with noise of 1 mm that is everywhere the
+/// same: normals are off by 7 deg about each axis. Seen from inside: the normals point to the axis.
+struct ConeOnAnArc {
+  Params params;
+  NoiseModel noise = {0.001, 0.0, 0.36};
+  Samples samples;
+
+  ConeOnAnArc(std::uint64_t seed, bool inside) {
+    constexpr double kHalfAngle = 25.0 * M_PI / 180.0, kNormals = 0.12;
+    Random random(seed);
+    std::vector<test::SurfacePoint> points;
+    for (int i = 0; i < 400; ++i) {
+      const double slant = random.uniform(0.11, 0.16), turn = random.uniform(-0.7, 0.7);
+      const Vec3 away(std::sin(turn), 0, -std::cos(turn)), along(0, 1, 0);
+      const Vec3 normal = std::cos(kHalfAngle) * away - std::sin(kHalfAngle) * along;
+      const Vec3 point = slant * (std::cos(kHalfAngle) * along + std::sin(kHalfAngle) * away);
+      points.push_back({point + Vec3(0, 0, 1), inside ? Vec3(-normal) : normal});
+    }
+    samples = test::samplesOf(test::measured(points, noise.distance, kNormals, random));
+    applyNoise(noise, samples);
+  }
+
+  /// The kind that wins, from a plane.
+  std::optional<Kind> winner() const {
+    Hypothesis hypothesis;
+    hypothesis.shape = Plane{samples.point(0), samples.normal(0)};
+    const ProposalRules rules = {noise, {params, kLargest}, 1.0, kLargest};
+    if (!bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rules, hypothesis)) return {};
+    return kindOf(hypothesis.shape);
+  }
+};
+
+TEST(Competition, FindsAConeOnANarrowArcWithNoisyNormals) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_EQ(ConeOnAnArc(seed, false).winner(), Kind::cone) << seed;
+}
+
+TEST(Competition, FindsTheConeWithoutCylinders) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    ConeOnAnArc arc(seed, false);
+    arc.params.detect_cylinders = false;
+    EXPECT_EQ(arc.winner(), Kind::cone) << seed;
+  }
+}
+
+TEST(Competition, FindsItFromInside) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    ConeOnAnArc arc(seed, true);
+    arc.params.convexity = "both";
+    EXPECT_EQ(arc.winner(), Kind::cone) << seed;
+  }
 }
 
 TEST(Competition, TakesNoCylinderForARoundedEdgeFarAway) {

@@ -200,8 +200,9 @@ TEST(Detector, FindsASmallBallAmongAMillionPoints) {
 }
 
 TEST(Detector, RefusesAHandfulOfPointsInALargeCloud) {
-  // The later rounds draw every point that the table does not explain, so that the balls have as many samples as
-  // points. At 4096 samples of 200,000 points, 25 of them stand for 1200; a twentieth is 61.
+  // The closer look draws every point that the table does not explain, so that the balls have as many samples as
+  // points. At some 4100 samples of 200,000 points (those of the table beyond the samples' hull are drawn, too), 25 of
+  // them stand for 1200; a twentieth is 61.
   Random random(46);
   const std::vector<SurfacePoint> table = patchOf(kTable, 200000, 0.5, random);
   const auto spheresWith = [&](int count) {
@@ -232,7 +233,7 @@ TEST(Detector, RefusesACrumbForAPlaneInALargeCloud) {
 }
 
 TEST(Detector, RefusesASliverForAPlaneInAnImage) {
-  // A wall that fills the image, 307,200 pixels, and a flat box 12 cm before it: 25 of 6144 samples stand for 1250
+  // A wall that fills the image, 307,200 pixels, and a flat box 12 cm before it: 25 of 6656 samples stand for 1150
   // pixels, of which a plane needs 0.3.
   constexpr double kWall = 1.2, kFocal = 570.0;
   const auto planesWith = [&](int columns, int rows) {
