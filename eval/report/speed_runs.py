@@ -18,7 +18,7 @@ FULL = Effort(1.0, 0.3, 5, 8, 10000000, 5, ("cgal", "pcl-sac"), r".*", r"(detect
 QUICK = Effort(0.1, 0.05, 2, 2, 1000000, 2, ("cgal",), r"detect/.*|peer/.*|vote/.*|frame/.*|points/1.*|pixels/10*|"
                r"samples/(1280|5120)|objects/(1|8|24)", r"detect/(tabletop-640|paper)/default|frame/tabletop-640/16")
 SMOKE = Effort(0.001, 0.001, 1, 1, 100000, 1, (), r"detect/(wall|clutter)-640/.*|vote/paper|frame/wall-640/16|"
-               r"points/10000|pixels/10000|samples/1024|objects/1", r"detect/wall-640/default")
+               r"points/10000|pixels/10000|samples/1280|objects/1", r"detect/wall-640/default")
 
 
 class Failed(Exception):
