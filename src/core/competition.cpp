@@ -124,7 +124,7 @@ class Fits {
       own_holds = own_holds || (like_own(start) && holds.value_or(false));
       if (holds && !*holds && enabled(kindOf(start.shape), rules_.limits.params)) ++refused;
     }
-    if (best_cylinder_ && enabled(Kind::cone, rules_.limits.params)) {
+    if (best_cylinder_) {
       from({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
     }
     return refused;
@@ -158,6 +158,7 @@ class Fits {
 
   /// Cones may begin at a cylinder that is none itself.
   void remember(const Start& cylinder) {
+    if (!enabled(Kind::cone, rules_.limits.params)) return;
     const double agreed = agreement(cylinder.shape, points_);
     if (!(agreed > best_agreement_)) return;
     best_cylinder_ = cylinder;

@@ -3,7 +3,6 @@
 // Gathering labelled points, and the last least squares; see dense_fit.h.
 #include "core/dense_fit.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

@@ -98,6 +98,13 @@ std::optional<Shape> refine(const Shape& start, const FitPoints& points, const R
   return std::visit([&](const auto& shape) { return refineKind(shape, points, rules); }, start);
 }
 
+std::optional<Shape> refine(const Shape& start, const SampleSet& set,
+                            const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules) {
+  FitPoints points;
+  points.gather(set, tolerance);
+  return refine(start, points, rules);
+}
+
 double agreement(const Shape& shape, const FitPoints& points) {
   constexpr std::size_t kAtOnce = 256;
   std::array<float, kAtOnce> distance;
@@ -115,13 +122,6 @@ double agreement(const Shape& shape, const FitPoints& points) {
     for (const float of_lane : some) sum += of_lane;
   }
   return sum;
-}
-
-std::optional<Shape> refine(const Shape& start, const SampleSet& set,
-                            const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules) {
-  FitPoints points;
-  points.gather(set, tolerance);
-  return refine(start, points, rules);
 }
 
 }  // namespace primitect

@@ -17,8 +17,7 @@ constexpr double kTapers[] = {0.1, 0.25, 0.45, 0.8};
 
 Cone tapered(const Cylinder& cylinder, const FitPoints& points) {
   const Vec3& middle = points.middle();
-  const Vec3 foot = cylinder.point + (middle - cylinder.point).dot(cylinder.axis) * cylinder.axis;
-  const Vec3 outward = normalAt(cylinder, middle), seen = foot + cylinder.radius * outward;
+  const Vec3 outward = normalAt(cylinder, middle), seen = middle - distance(cylinder, middle) * outward;
   Cone best;
   double most = -1.0;
   for (const double taper : kTapers) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "test/support/noisy_points.h"
+#include "test/support/hypotheses.h"
 
 namespace primitect {
 namespace {
@@ -30,8 +30,7 @@ std::optional<Kind> winnerOnTube(double radius, double depth, double noise_along
     points.push_back({tube.point + Vec3(random.uniform(-0.1, 0.1), 0, 0) + radius * normal + stray, normal});
   }
   const NoiseModel noise = depthCamera();
-  Samples samples = test::samplesOf(points);
-  applyNoise(noise, samples);
+  const Samples samples = test::samplesWith(noise, points);
   const Params params;
   Hypothesis hypothesis;
   hypothesis.shape = Plane{Vec3(0, 0, depth), -Vec3::UnitZ()};
@@ -56,8 +55,7 @@ std::vector<test::SurfacePoint> askewStrip(double turn_of_normals) {
 /// The normal of the plane that wins on these points.
 std::optional<Vec3> normalOfPlaneOn(const std::vector<test::SurfacePoint>& points) {
   const NoiseModel noise = depthCamera();
-  Samples samples = test::samplesOf(points);
-  applyNoise(noise, samples);
+  const Samples samples = test::samplesWith(noise, points);
   const Params params;
   Hypothesis hypothesis;
   hypothesis.shape = Plane{points[0].point, points[0].normal};
@@ -93,18 +91,16 @@ struct ConeOnAnArc {
   Samples samples;
 
   ConeOnAnArc(std::uint64_t seed, bool inside) {
-    constexpr double kHalfAngle = 25.0 * M_PI / 180.0, kNormals = 0.12;
+    constexpr double kHalfAngle = 25.0 * test::kDegree, kNormals = 0.12, kFront = -0.5 * M_PI;
+    const Cone cone = {Vec3(0, 0, 1), Vec3(0, 1, 0), kHalfAngle};
     Random random(seed);
     std::vector<test::SurfacePoint> points;
     for (int i = 0; i < 400; ++i) {
       const double slant = random.uniform(0.11, 0.16), turn = random.uniform(-0.7, 0.7);
-      const Vec3 away(std::sin(turn), 0, -std::cos(turn)), along(0, 1, 0);
-      const Vec3 normal = std::cos(kHalfAngle) * away - std::sin(kHalfAngle) * along;
-      const Vec3 point = slant * (std::cos(kHalfAngle) * along + std::sin(kHalfAngle) * away);
-      points.push_back({point + Vec3(0, 0, 1), inside ? Vec3(-normal) : normal});
+      points.push_back(test::pointOn(cone, slant * std::cos(kHalfAngle), kFront + turn));
+      if (inside) points.back().normal *= -1.0;
     }
-    samples = test::samplesOf(test::measured(points, noise.distance, kNormals, random));
-    applyNoise(noise, samples);
+    samples = test::samplesWith(noise, test::measured(points, noise.distance, kNormals, random));
   }
 
   /// The kind that wins, from a plane.

@@ -236,7 +236,7 @@ TEST(Detector, RefusesASliverForAPlaneInAnImage) {
   // A wall that fills the image, 307,200 pixels, and a flat box 12 cm before it: 25 of 6656 samples stand for 1150
   // pixels, of which a plane needs 0.3.
   constexpr double kWall = 1.2, kFocal = 570.0;
-  const auto planesWith = [&](int columns, int rows) {
+  const auto planesWith = [&](int columns, int rows, double effort) {
     Random random(47);
     Cloud cloud;
     cloud.reset(640, 480, false);
@@ -250,10 +250,11 @@ TEST(Detector, RefusesASliverForAPlaneInAnImage) {
       }
     }
     Detector detector{Params()};
-    return detector.detect(cloud).items.size();
+    return detector.detect(cloud, {effort, {}}).items.size();
   };
-  EXPECT_EQ(planesWith(18, 14), 1u);
-  EXPECT_EQ(planesWith(40, 30), 2u);
+  EXPECT_EQ(planesWith(18, 14, 1.0), 1u);
+  EXPECT_EQ(planesWith(40, 30, 1.0), 2u);
+  EXPECT_EQ(planesWith(26, 20, 0.5), 2u) << "of fewer samples, each stands for more pixels, and fewer are asked for";
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {

@@ -295,6 +295,10 @@ TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   EXPECT_EQ(*rivalOf(cone, nearly).kind, Kind::cylinder);
   EXPECT_FALSE(rivalOf(kBall, ball).kind);
   EXPECT_GT(rivalOf(kBall, ball).lead, 0.2);
+  // A cylinder on it has the cone for a rival; its lead is over the plane and the sphere, which are far behind.
+  const Cylinder touching = {Vec3(0, 0, 1), Vec3(0, 1, 0), 0.05};
+  EXPECT_EQ(rivalOf(touching, nearly).kind, Kind::cone);
+  EXPECT_GT(rivalOf(touching, nearly).lead, 0.2);
   // Any cylinder is nearly a cone; it is the plane and the sphere that are far behind.
   params.detect_cones = false;
   EXPECT_FALSE(rivalOf(kCan, can).kind);

@@ -18,8 +18,8 @@ constexpr double kRadius = 0.05;  // m, of curvature at the middle of the patch
 constexpr double kReach = 0.025;  // m, of the patch along its length
 constexpr double kArc = 0.7;      // rad, of the patch to either side
 
-const Vec3 kSeen(0.1, -0.2, 1.0);                                  // the middle of the patch, which faces the sensor
-const Vec3 kOutward(0, 0, -1), kAlong(0, 1, 0), kAcross(1, 0, 0);  // there
+const Vec3 kSeen(0.1, -0.2, 1.0);                // the middle of the patch, which faces the sensor
+const Vec3 kOutward(0, 0, -1), kAlong(0, 1, 0);  // there
 
 /// The cylinder that touches the patch.
 const Cylinder kTouching = {kSeen - kRadius * kOutward, kAlong, kRadius};
@@ -35,15 +35,13 @@ Cone touchingCone(double half_angle, double way) {
 Samples patchOfCone(const Cone& cone, std::uint64_t seed) {
   constexpr int kCount = 400;
   Random random(seed);
-  const Vec3 inward = (-kOutward - (-kOutward).dot(cone.axis) * cone.axis).normalized();
-  const Vec3 side = cone.axis.cross(inward), middle = kSeen - cone.apex;
+  const Vec3 x = cone.axis.unitOrthogonal();
+  const double front = std::atan2(kOutward.dot(cone.axis.cross(x)), kOutward.dot(x));
+  const double middle = (kSeen - cone.apex).norm();
   std::vector<test::SurfacePoint> points;
   for (int k = 0; k < kCount; ++k) {
-    const double slant = middle.norm() + random.uniform(-kReach, kReach);
-    const double turn = random.uniform(-kArc, kArc);
-    const Vec3 away = -std::cos(turn) * inward + std::sin(turn) * side;
-    const double sine = std::sin(cone.half_angle), cosine = std::cos(cone.half_angle);
-    points.push_back({cone.apex + slant * (cosine * cone.axis + sine * away), cosine * away - sine * cone.axis});
+    const double slant = middle + random.uniform(-kReach, kReach);
+    points.push_back(test::pointOn(cone, slant * std::cos(cone.half_angle), front + random.uniform(-kArc, kArc)));
   }
   return test::noisySamples(points, 0.0, random);
 }
