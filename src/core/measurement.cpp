@@ -9,6 +9,7 @@
 #include "core/bias.h"
 #include "core/covariance.h"
 #include "core/coverage.h"
+#include "core/determination.h"
 #include "core/extent.h"
 #include "core/fitting.h"
 #include "core/seen_share.h"
@@ -64,6 +65,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
+  detection.confidence *= static_cast<float>(trustIn(detection.shape, uncertainty));
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);

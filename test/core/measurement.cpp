@@ -152,6 +152,32 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
+/// How much of its confidence is left to a ball of which this many points are seen, this far (rad) around one place.
+float confidenceInCap(double reach, double radius) {
+  Random random(44);
+  std::vector<test::SurfacePoint> points;
+  const Sphere ball = {Vec3(0.0, 0.0, 1.0), radius};
+  while (points.size() < 400) {
+    const test::SurfacePoint p = patchOf(ball, 1, random).front();
+    if (-p.normal.z() > std::cos(reach)) points.push_back(p);
+  }
+  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
+  List<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const Params params;
+  Detection detection;
+  detection.shape = ball;
+  detection.confidence = 0.8f;
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 10.0}).measure({all, 400}, all, detection);
+  return detection.confidence;
+}
+
+TEST(Measurement, DoubtsAShapeWhoseSizeItsPointsLeaveOpen) {
+  EXPECT_EQ(confidenceInCap(1.0, 0.08), 0.8f);
+  // 400 points with noise of one radius in thirty, none farther than 17 deg around its middle.
+  EXPECT_LT(confidenceInCap(0.3, 30.0 * kNoise), 0.4f);
+}
+
 TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   Random random(43);
   std::vector<test::SurfacePoint> points = patchOf(kBall, 1000, random);
