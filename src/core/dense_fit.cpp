@@ -4,6 +4,7 @@
 #include "core/dense_fit.h"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/fitting.h"
@@ -35,34 +36,61 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
 
 namespace {
 
-/// Share of the points that a cone must explain beyond a cylinder.
-constexpr double kConePrice = 0.003;
+/// Share of the points that each kind must explain beyond one that is simpler by a parameter.
+constexpr double kPrice = 0.003;
 
-/// The cylinder that touches a cone along the line that its points lie around; nothing for points at the apex.
-std::optional<Shape> straightened(const Cone& cone, const Vec3& middle) {
+/// Where the axis of a cylinder or cone passes below its seen side: the surface there, and how it is curved across it.
+struct SeenSide {
+  Vec3 point, outward;
+  double radius;
+};
+
+/// Nothing for points at the apex.
+std::optional<SeenSide> seenSide(const Cylinder& cylinder, const Vec3& middle) {
+  const Vec3 outward = normalAt(cylinder, middle);
+  return SeenSide{middle - distance(cylinder, middle) * outward, outward, cylinder.radius};
+}
+std::optional<SeenSide> seenSide(const Cone& cone, const Vec3& middle) {
   constexpr double kLeast = 1e-6;  // m
-  const Vec3 outward = normalAt(cone, middle);
-  const Vec3 point = middle - distance(cone, middle) * outward;
-  if (!((point - cone.apex).norm() > kLeast)) return std::nullopt;
-  const Vec3 along = (point - cone.apex).normalized();
-  const double radius = (point - cone.apex).norm() * std::tan(cone.half_angle);
-  return Cylinder{point - radius * outward, along, radius};
+  const Vec3 outward = normalAt(cone, middle), point = middle - distance(cone, middle) * outward;
+  const double slant = (point - cone.apex).norm();
+  if (!(slant > kLeast)) return std::nullopt;
+  return SeenSide{point, outward, slant * std::tan(cone.half_angle)};
+}
+
+/// The cylinder that touches a cone along the line that its points lie around.
+Cylinder straightened(const Cone& cone, const SeenSide& side) {
+  return {side.point - side.radius * side.outward, (side.point - cone.apex).normalized(), side.radius};
+}
+
+/// The shape and its neighbours: what points that were taken for it may be as well.
+List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
+  List<Shape> starts = {shape};
+  const auto addBall = [&starts](const SeenSide& side) {
+    starts.push_back(Sphere{side.point - side.radius * side.outward, side.radius});
+  };
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
+    starts.push_back(tapered(*cylinder, points));
+    addBall(*seenSide(*cylinder, points.middle()));
+  }
+  if (const Cone* cone = std::get_if<Cone>(&shape)) {
+    if (const auto side = seenSide(*cone, points.middle())) {
+      starts.push_back(straightened(*cone, *side));
+      addBall(*side);
+    }
+  }
+  return starts;
 }
 
 }  // namespace
 
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
-  List<Shape> starts = {shape};
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) starts.push_back(tapered(*cylinder, points));
-  if (const Cone* cone = std::get_if<Cone>(&shape)) {
-    if (const auto cylinder = straightened(*cone, points.middle())) starts.push_back(*cylinder);
-  }
   Shape best = shape;
-  double most = -1.0;
-  for (const Shape& start : starts) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Shape& start : startsAround(shape, points)) {
     const std::optional<Shape> fitted = refine(start, points);
     if (!fitted || !limits.hold(*fitted)) continue;
-    const double price = kindOf(*fitted) == Kind::cone ? kConePrice * static_cast<double>(points.size()) : 0.0;
+    const double price = kPrice * parameterCount(kindOf(*fitted)) * static_cast<double>(points.size());
     const double agreed = agreement(*fitted, points) - price;
     if (!(agreed > most)) continue;
     best = *fitted;

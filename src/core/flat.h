@@ -58,6 +58,20 @@ inline kernels::FlatShape flattened(const Cone& cone, const Vec3& origin) {
   return flat;
 }
 
+/// For fits: a cone by its circle beside a point (m), as nothing near the points is told by an apex far away; the other
+/// kinds as they are.
+template <class T>
+kernels::FlatShape flattenedBeside(const Vec3&, const T& shape, const Vec3& origin) {
+  return flattened(shape, origin);
+}
+inline kernels::FlatShape flattenedBeside(const Vec3& beside, const Cone& cone, const Vec3& origin) {
+  kernels::FlatShape flat = flattened(cone, origin);
+  const Circle circle = circleBeside(beside, cone);
+  setPlace(circle.middle - origin, flat);
+  flat.radius = static_cast<float>(circle.radius);
+  return flat;
+}
+
 inline kernels::FlatShape flattened(const Shape& shape, const Vec3& origin) {
   return std::visit([&origin](const auto& s) { return flattened(s, origin); }, shape);
 }

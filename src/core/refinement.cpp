@@ -37,16 +37,6 @@ Turn turnOf(const Sphere&) { return Turn(Vec3::UnitZ()); }
 Turn turnOf(const Cylinder& cylinder) { return Turn(cylinder.axis); }
 Turn turnOf(const Cone& cone) { return Turn(cone.axis); }
 
-/// From the parameters of the loops (kernels/loops.h) to those of residuals.h.
-template <class T>
-Gradient toLocal(const T&, const Turn&, const Gradient& step) {
-  return step;
-}
-Gradient toLocal(const Cone& cone, const Turn& turn, Gradient step) {
-  step.head<3>() = (step[0] * turn.first + step[1] * turn.second + step[2] * cone.axis).eval();
-  return step;
-}
-
 template <int N>
 Gradient solve(const kernels::NormalEquations& equations) {
   Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
@@ -81,11 +71,10 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
   kernels::NormalEquations equations = {};
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
-    const Turn turn = turnOf(shape);
-    kernels::loops().normalEquations(flattened(shape, points.origin()), flattened(turn), points.view(), scale,
-                                     equations);
+    kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()),
+                                     flattened(turnOf(shape)), points.view(), scale, equations);
     const Gradient step = lengthOf(equations) * solve<parameterCount(kKindOf<T>)>(equations);
-    shape = stepped(shape, toLocal(shape, turn, step), points.middle());
+    shape = steppedBeside(points.middle(), shape, step);
     if (!usable(shape)) return std::nullopt;
     if (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step)) break;
   }

@@ -78,20 +78,21 @@ Cone stepped(const Cone& cone, const Gradient& step) {
   return {apex, turn.turned(cone.axis, step[3], step[4]), half_angle};
 }
 
-Cone stepped(const Cone& cone, const Gradient& step, const Vec3& beside) {
-  constexpr double kLeast = 0.05;  // rad: of a cone that tapers less the apex is so far away that no step gets on
+Circle circleBeside(const Vec3& beside, const Cone& cone) {
   const double height = (beside - cone.apex).dot(cone.axis);
-  if (!(height > 0.0)) return stepped(cone, step);
+  return {cone.apex + height * cone.axis, height * std::tan(cone.half_angle)};
+}
+
+Cone steppedBeside(const Vec3& beside, const Cone& cone, const Gradient& step) {
+  constexpr double kLeast = 0.02;  // rad: with less of it the apex is farther away than anything is seen
   const Turn turn(cone.axis);
-  const double along = step.head<3>().dot(cone.axis), tangent = std::tan(cone.half_angle);
-  const Vec3 across = step.head<3>() - along * cone.axis;
-  const Vec3 center = cone.apex + height * (cone.axis + step[3] * turn.first + step[4] * turn.second) + across;
-  const double radius = (height - along) * tangent + height * (1.0 + tangent * tangent) * step[5];
-  const double angle = cone.half_angle + step[5];
-  Vec3 axis = turn.turned(cone.axis, step[3], step[4]);
+  const Circle circle = circleBeside(beside, cone);
+  const Vec3 middle = circle.middle + step[0] * turn.first + step[1] * turn.second;
+  const double radius = circle.radius + step[4], angle = cone.half_angle + step[5];
+  Vec3 axis = turn.turned(cone.axis, step[2], step[3]);
   if (angle < 0.0) axis = -axis;
   const double half_angle = std::max(std::abs(angle), kLeast);
-  return {center - radius / std::tan(half_angle) * axis, axis, radius > 0.0 ? half_angle : -half_angle};
+  return {middle - radius / std::tan(half_angle) * axis, axis, radius > 0.0 ? half_angle : -half_angle};
 }
 
 Residual residual(const Shape& shape, const Vec3& p) {

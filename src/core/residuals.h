@@ -87,13 +87,23 @@ Sphere stepped(const Sphere& sphere, const Gradient& step);
 Cylinder stepped(const Cylinder& cylinder, const Gradient& step);
 Cone stepped(const Cone& cone, const Gradient& step);
 
-/// The same, of which the circle around the axis beside this point (m) moves as the step says: the apex and the angle
-/// of a slender cone far from its apex are not linear in what moves the surface. Tapered less than not at all, it opens
-/// the other way.
-Cone stepped(const Cone& cone, const Gradient& step, const Vec3& beside);
-/// Of the other kinds there is one step, wherever the points are.
+/// A circle of a cone around its axis; radius below 0: behind the apex.
+struct Circle {
+  Vec3 middle;
+  double radius;
+};
+
+/// At the height of this point (m).
+Circle circleBeside(const Vec3& beside, const Cone& cone);
+
+/// The shape a step away in the parameters of its fit (kernels/loops.h): a cone's are those of its circle beside this
+/// point (m). The apex and the angle of a slender cone far from its apex are neither linear in what moves the surface,
+/// nor can float tell them apart. Tapered less than not at all, it opens the other way; half angle below 0: the circle
+/// has shrunk to nothing.
+Cone steppedBeside(const Vec3& beside, const Cone& cone, const Gradient& step);
+/// The other kinds are fitted in their local parameters.
 template <class T>
-T stepped(const T& shape, const Gradient& step, const Vec3&) {
+T steppedBeside(const Vec3&, const T& shape, const Gradient& step) {
   return stepped(shape, step);
 }
 

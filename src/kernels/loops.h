@@ -19,9 +19,9 @@ constexpr std::size_t kLanes = 16;
 struct FlatShape {
   enum Kind { plane, sphere, cylinder, cone };
   Kind kind = plane;
-  float x = 0, y = 0, z = 0;     ///< point of plane or axis, centre, apex (m)
+  float x = 0, y = 0, z = 0;     ///< point of plane or axis, centre, apex (m); for fits middle of a circle of the cone
   float dx = 0, dy = 0, dz = 0;  ///< normal or axis, of unit length
-  float radius = 0;              ///< of sphere and cylinder (m)
+  float radius = 0;              ///< of sphere and cylinder (m); for fits of the cone's circle
   float sine = 0, cosine = 0;    ///< of a cone's half angle
 };
 
@@ -72,7 +72,8 @@ struct FitPoints {
 ///   plane     turn of the normal (2), shift along it
 ///   sphere    centre (x, y, z), radius
 ///   cylinder  point along first, second, turn of the axis (2), radius
-///   cone      apex along first, second, axis, turn of the axis (2), half angle
+///   cone      middle of the circle along first, second, turn of the axis about that (2), radius of the circle, half
+///             angle; its FlatShape is that of flattenedBeside() (core/flat.h)
 struct NormalEquations {
   double hessian[6][6];
   double right[6];
