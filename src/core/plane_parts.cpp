@@ -62,15 +62,22 @@ double misfitAt(const Plane& plane, const Samples& samples, std::uint32_t i) {
   return away * away + std::min(turn_sq, kMost);
 }
 
-double misfitOf(const Samples& samples, const List<std::uint32_t>& part) {
-  FitPoints points;
-  points.gather({samples, part});
-  const std::optional<Shape> start = fitFromMoments(Kind::plane, momentsOf(points));
-  if (!start) return 0.0;
-  const Plane plane = std::get<Plane>(refine(*start, points).value_or(*start));
+double misfitOf(const Plane& plane, const Samples& samples, const List<std::uint32_t>& part) {
   double sum = 0.0;
   for (const std::uint32_t i : part) sum += misfitAt(plane, samples, i);
   return sum;
+}
+
+/// Of the better of two planes: its points tell little about how a small part lies, its normals hardly about where.
+double misfitOf(const Samples& samples, const List<std::uint32_t>& part) {
+  FitPoints points;
+  points.gather({samples, part});
+  const Moments moments = momentsOf(points);
+  const std::optional<Shape> start = fitFromMoments(Kind::plane, moments);
+  if (!start) return 0.0;
+  const Plane by_points = std::get<Plane>(refine(*start, points).value_or(*start));
+  const Plane by_normals = {moments.mean_point, moments.mean_normal.normalized()};
+  return std::min(misfitOf(by_points, samples, part), misfitOf(by_normals, samples, part));
 }
 
 Group together(const Samples& samples, const Group& a, const Group& b) {
@@ -86,13 +93,45 @@ double wavesAt(const Samples& samples, std::uint32_t i) {
   return kOfDistance + (samples.normal_sigma[i] > 0.0f ? kOfNormal : 0.0);
 }
 
+/// What chance alone hardly reaches.
+constexpr double kSure = 15.0;
+
 /// How much worse one plane fits both than one for each does, as a share of what noise and the waves of a depth
 /// camera explain; below 1: it is the same plane.
 double disagreement(const Samples& samples, const Group& a, const Group& b, const Group& both) {
-  constexpr double kSure = 15.0;  // what chance alone hardly reaches
   double waves = 0.0;
   for (const std::uint32_t i : both.samples) waves += wavesAt(samples, i);
   return (both.misfit - a.misfit - b.misfit) / std::max(kSure, waves);
+}
+
+/// A group as a level top: through its mean point, with this normal.
+struct LevelTop {
+  Vec3 mean = Vec3::Zero();
+  double sigma = 0.0;   ///< m, mean of the samples
+  double misfit = 0.0;  ///< as of a group
+
+  LevelTop(const Samples& samples, const Group& group, const Vec3& level) {
+    const double share = 1.0 / static_cast<double>(group.samples.size());
+    for (const std::uint32_t i : group.samples) mean += share * samples.point(i), sigma += share * samples.sigma[i];
+    for (const std::uint32_t i : group.samples) misfit += misfitAt({mean, level}, samples, i);
+  }
+};
+
+/// What two groups are if they are tops that lie level.
+enum class Tops { not_level, one_height, two_heights };
+
+Tops topsOf(const Samples& samples, const Group& a, const Group& b, const Group& both, const Vec3& level) {
+  constexpr double kAsWell = 0.1;  // for each sample: where it lies level, a plane differs by 0.02
+  constexpr double kDeviations = 1.5, kLevelOff = 0.002;  // rad
+  const LevelTop first(samples, a, level), second(samples, b, level);
+  const double misfit = first.misfit + second.misfit;
+  const double margin = std::max(kSure, kAsWell * static_cast<double>(both.samples.size()));
+  if (misfit > a.misfit + b.misfit + margin) return Tops::not_level;
+  // The noise of a point, and what the level may be off.
+  const Vec3 way = second.mean - first.mean;
+  const double least = kDeviations * 0.5 * (first.sigma + second.sigma) + kLevelOff * way.norm();
+  if (std::abs(level.dot(way)) < least) return Tops::one_height;
+  return misfit + margin < both.misfit ? Tops::two_heights : Tops::not_level;
 }
 
 /// Two groups as one, and how little that one plane fits both.
@@ -101,17 +140,21 @@ struct Pair {
   double apart;
 };
 
-Pair pairOf(const Samples& samples, const Group& a, const Group& b) {
+Pair pairOf(const Samples& samples, const Group& a, const Group& b, const std::optional<Vec3>& level) {
   Pair pair;
   pair.joined = together(samples, a, b);
   pair.apart = disagreement(samples, a, b, pair.joined);
+  const Tops tops = level ? topsOf(samples, a, b, pair.joined, *level) : Tops::not_level;
+  if (tops == Tops::one_height) pair.apart = std::min(pair.apart, 0.0);
+  if (tops == Tops::two_heights) pair.apart = std::max(pair.apart, 1.0);
   return pair;
 }
 
 /// Groups that become fewer while one plane fits two of them.
 class Grouping {
  public:
-  Grouping(const Samples& samples, const SampleParts& parts) : samples_(samples) {
+  Grouping(const Samples& samples, const SampleParts& parts, const std::optional<Vec3>& level)
+      : samples_(samples), level_(level) {
     for (const List<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
   }
 
@@ -146,7 +189,7 @@ class Grouping {
  private:
   void add(Group group) {
     List<Pair> with_others;
-    for (const Group& other : groups_) with_others.push_back(pairOf(samples_, other, group));
+    for (const Group& other : groups_) with_others.push_back(pairOf(samples_, other, group, level_));
     pairs_.push_back(std::move(with_others));
     groups_.push_back(std::move(group));
   }
@@ -159,14 +202,15 @@ class Grouping {
   }
 
   const Samples& samples_;
+  std::optional<Vec3> level_;
   List<Group> groups_;
   List<List<Pair>> pairs_;  ///< of each group with those before it
 };
 
 }  // namespace
 
-SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts) {
-  Grouping grouping(samples, parts);
+SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts, const std::optional<Vec3>& level) {
+  Grouping grouping(samples, parts, level);
   while (grouping.join()) continue;
   return grouping.groups();
 }

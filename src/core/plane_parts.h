@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/frame_memory.h"
 #include "core/sample_graph.h"
@@ -26,7 +27,10 @@ SampleParts stepParts(const Samples& samples, const Plane& plane, const List<std
                       std::size_t least);
 
 /// Groups of these parts of a plane, each of which lies in one plane of its own: two tops of nearly the same height,
-/// which one tilted plane leads over. One group when a single plane fits all of them about as well.
-SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts);
+/// which one tilted plane leads over. One group when a single plane fits all of them about as well. level: the normal
+/// of what things stand on, where that was found: their tops lie as it does, so that parts at two heights are rather
+/// two level tops than one tilted plane where these fit better.
+SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts,
+                           const std::optional<Vec3>& level = std::nullopt);
 
 }  // namespace primitect

@@ -197,6 +197,20 @@ void Verification::refit() {
   }
 }
 
+bool Verification::isLarge(const Segment& segment) const {
+  return static_cast<double>(segment.inliers.size()) > kLargePlane * static_cast<double>(samples_.size());
+}
+
+/// The normal of the largest of the large planes.
+std::optional<Vec3> Verification::level() const {
+  const Segment* largest = nullptr;
+  for (const Segment& segment : segments_) {
+    if (kindOf(segment.candidate.shape) != Kind::plane || !isLarge(segment)) continue;
+    if (!largest || segment.inliers.size() > largest->inliers.size()) largest = &segment;
+  }
+  return largest ? std::make_optional(std::get<Plane>(largest->candidate.shape).normal) : std::nullopt;
+}
+
 /// Tops of things of nearly the same height that a plane leads over become planes of their own.
 bool Verification::separate() {
   const HeldGains held = heldByChosen();
@@ -209,8 +223,9 @@ bool Verification::separate() {
 
 bool Verification::separate(const Segment& segment, const HeldGains& held) {
   // In parts, what things stand on is one plane all the same.
-  if (static_cast<double>(segment.inliers.size()) > kLargePlane * static_cast<double>(samples_.size())) return false;
-  const SampleParts groups = coplanarGroups(samples_, separateParts(segment.inliers, needed(params_), graph_));
+  if (isLarge(segment)) return false;
+  const SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
+  const SampleParts groups = coplanarGroups(samples_, parts, level());
   if (groups.size() < 2) return false;
   List<Hypothesis> apart;
   for (const List<std::uint32_t>& group : groups) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/candidate.h"
 #include "core/frame_memory.h"
@@ -70,6 +71,8 @@ class Verification {
   void join(const Hypothesis& version, std::uint32_t origin);
   void split(const Segment& segment, const HeldGains& held);
   void settle();
+  bool isLarge(const Segment& segment) const;
+  std::optional<Vec3> level() const;
   bool separate();
   bool separate(const Segment& segment, const HeldGains& held);
   void assess();

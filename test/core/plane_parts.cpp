@@ -112,13 +112,44 @@ TEST(CoplanarGroups, AreOneWhereTheStepIsNoMoreThanTheWavesOfADepthCamera) {
 }
 
 TEST(CoplanarGroups, AreTwoTopsThatATiltedPlaneLiesAskewTo) {
-  // 1.2 mm off at most, less than the noise; but 1.4 deg off all normals, each of which is good to 1.5.
+  // 1.4 mm off at most, less than the noise; but 1.6 deg off all normals, each of which is good to 1.5.
   Random random(79);
-  Samples samples = withNoise(0.002, twoTops(120, 0.003, random));
+  Samples samples = withNoise(0.002, twoTops(120, 0.0034, random));
   const SampleParts parts = {range(0, 120), range(120, 240)};
   EXPECT_EQ(coplanarGroups(samples, parts).size(), 1u);
   std::fill(samples.normal_sigma.begin(), samples.normal_sigma.end(), 0.026f);
   EXPECT_EQ(coplanarGroups(samples, parts).size(), 2u);
+}
+
+/// Two tops of 120 samples each with normals that are good to 0.05 rad, as high as this above each other, and both
+/// turned about the line between their middles.
+SampleParts groupsOfTurnedTops(double step, double turn, const std::optional<Vec3>& level) {
+  Random random(80);
+  Samples samples = withNoise(0.002, twoTops(120, step, random));
+  const Eigen::AngleAxisd rotation(turn, Vec3::UnitX());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Vec3 p = Vec3(0, 0, 1) + rotation * (samples.point(i) - Vec3(0, 0, 1)), n = rotation * samples.normal(i);
+    samples.x[i] = static_cast<float>(p.x()), samples.y[i] = static_cast<float>(p.y());
+    samples.z[i] = static_cast<float>(p.z());
+    samples.nx[i] = static_cast<float>(n.x()), samples.ny[i] = static_cast<float>(n.y());
+    samples.nz[i] = static_cast<float>(n.z());
+  }
+  std::fill(samples.normal_sigma.begin(), samples.normal_sigma.end(), 0.05f);
+  return coplanarGroups(samples, {range(0, 120), range(120, 240)}, level);
+}
+
+TEST(CoplanarGroups, AreTwoTopsThatLieAsWhatTheyStandOn) {
+  // Too little to tell by themselves.
+  EXPECT_EQ(groupsOfTurnedTops(0.0042, 0.0, std::nullopt).size(), 1u);
+  EXPECT_EQ(groupsOfTurnedTops(0.0042, 0.0, Vec3(-Vec3::UnitZ())).size(), 2u);
+}
+
+TEST(CoplanarGroups, AreOneAtOneHeight) {
+  EXPECT_EQ(groupsOfTurnedTops(0.0, 0.0, Vec3(-Vec3::UnitZ())).size(), 1u);
+}
+
+TEST(CoplanarGroups, AreJudgedByThemselvesWhereTheyDoNotLieLevel) {
+  EXPECT_EQ(groupsOfTurnedTops(0.0042, 0.3, Vec3(-Vec3::UnitZ())).size(), 1u);
 }
 
 TEST(CoplanarGroups, JoinPartsOfOneHeightAcrossThatOfAnother) {

@@ -54,45 +54,50 @@ TEST(Residuals, HaveTheGradientOfTheDistance) {
 const Cone kSlender = {Vec3(0.1, 0.2, 0.3), Vec3(0, 0, 1), 0.1};
 const Vec3 kBeside = kSlender.apex + Vec3(0.05, 0, 2.0);
 
-TEST(SteppedBeside, MovesTheSurfaceAsTheGradientSays) {
-  constexpr double kStep = 1e-6;
-  const Vec3 p = kBeside + Vec3(0.1, 0.17, 0.05);
-  const Residual r = residual(kSlender, p);
-  for (int k = 0; k < kMostParameters; ++k) {
-    const Gradient step = kStep * Gradient::Unit(k);
-    const double ahead = distance(stepped(kSlender, step, kBeside), p);
-    const double back = distance(stepped(kSlender, Gradient(-step), kBeside), p);
-    EXPECT_NEAR(r.gradient[k], (ahead - back) / (2.0 * kStep), 1e-6) << k;
-  }
+Gradient stepOf(int parameter, double size) { return size * Gradient::Unit(parameter); }
+
+TEST(CircleBeside, IsWhereTheConeIsBesideThePoint) {
+  const Circle circle = circleBeside(kBeside, kSlender);
+  EXPECT_NEAR((circle.middle - (kSlender.apex + 2.0 * kSlender.axis)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(circle.radius, 2.0 * std::tan(0.1), 1e-12);
+  EXPECT_LT(circleBeside(kSlender.apex - 0.1 * kSlender.axis, kSlender).radius, 0.0);
 }
 
-TEST(SteppedBeside, KeepsTheCircleThatALargeStepKeeps) {
-  // Half the angle, with the apex twice as far away: by the gradient nothing moves at a height of 2 m.
-  const double height = 2.0, radius = height * std::tan(kSlender.half_angle);
-  Gradient step = Gradient::Zero();
-  step[5] = -0.05;
-  step[2] = height * step[5] / (std::sin(kSlender.half_angle) * std::cos(kSlender.half_angle));
-  const Cone cone = stepped(kSlender, step, kBeside);
-  EXPECT_NEAR(cone.half_angle, 0.05, 1e-12);
-  EXPECT_NEAR((kSlender.apex + height * kSlender.axis - cone.apex).dot(cone.axis) * std::tan(cone.half_angle), radius,
-              1e-9);
+TEST(SteppedBeside, IsTheConeItselfWithoutAStep) {
+  const Cone cone = steppedBeside(kBeside, kSlender, Gradient::Zero());
+  EXPECT_NEAR((cone.apex - kSlender.apex).norm(), 0.0, 1e-12);
+  EXPECT_EQ(cone.half_angle, kSlender.half_angle);
+}
+
+TEST(SteppedBeside, KeepsTheCircleWhenTheConeOpensMore) {
+  const Cone cone = steppedBeside(kBeside, kSlender, stepOf(5, 0.05));
+  EXPECT_NEAR(cone.half_angle, 0.15, 1e-12);
+  const Circle before = circleBeside(kBeside, kSlender), after = circleBeside(kBeside, cone);
+  EXPECT_NEAR((before.middle - after.middle).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(before.radius, after.radius, 1e-9);
+}
+
+TEST(SteppedBeside, MovesTheCircleAndTurnsAboutItsMiddle) {
+  const Turn turn(kSlender.axis);
+  const Circle before = circleBeside(kBeside, kSlender);
+  const Circle moved = circleBeside(kBeside, steppedBeside(kBeside, kSlender, stepOf(1, 0.01)));
+  EXPECT_NEAR((moved.middle - before.middle - 0.01 * turn.second).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(circleBeside(kBeside, steppedBeside(kBeside, kSlender, stepOf(4, 0.02))).radius, before.radius + 0.02,
+              1e-12);
+  const Cone turned = steppedBeside(kBeside, kSlender, stepOf(2, 0.1));
+  EXPECT_NEAR(distance(Cylinder{turned.apex, turned.axis, 1.0}, before.middle), -1.0, 1e-9);
+  EXPECT_NEAR(turned.axis.dot(turn.first), 0.1, 0.001);
 }
 
 TEST(SteppedBeside, OpensTheOtherWayPastACylinder) {
-  const double height = 2.0;
-  Gradient step = Gradient::Zero();
-  step[5] = -0.15;
-  step[2] = height * step[5] / (std::sin(kSlender.half_angle) * std::cos(kSlender.half_angle));
-  const Cone cone = stepped(kSlender, step, kBeside);
+  const Cone cone = steppedBeside(kBeside, kSlender, stepOf(5, -0.15));
   EXPECT_NEAR(cone.half_angle, 0.05, 1e-12);
   EXPECT_NEAR(cone.axis.z(), -1.0, 1e-12);
   EXPECT_GT((kBeside - cone.apex).dot(cone.axis), 0.0);
 }
 
 TEST(SteppedBeside, IsNoConeWhereTheCircleShrinksToNothing) {
-  Gradient step = Gradient::Zero();
-  step[2] = 3.0;  // the apex past the point
-  EXPECT_LT(stepped(kSlender, step, kBeside).half_angle, 0.0);
+  EXPECT_LT(steppedBeside(kBeside, kSlender, stepOf(4, -0.3)).half_angle, 0.0);
 }
 
 }  // namespace

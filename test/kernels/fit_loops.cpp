@@ -89,7 +89,8 @@ TEST(Gains, AreThoseOfTheShapeOnEveryInstructionSet) {
 }
 
 /// The same sums in double, point by point.
-kernels::NormalEquations plainEquations(const Shape& shape, const Samples& samples, double scale) {
+kernels::NormalEquations plainEquations(const Shape& shape, const Samples& samples, const Vec3& beside,
+                                        double scale) {
   kernels::NormalEquations sums = {};
   const int count = parameterCount(kindOf(shape));
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -102,9 +103,14 @@ kernels::NormalEquations plainEquations(const Shape& shape, const Samples& sampl
     sums.curvature += root * (1.0 - 5.0 * share * share);
     Gradient gradient = r.gradient;
     if (const Cone* cone = std::get_if<Cone>(&shape)) {
+      // By what the parameters of its circle make of apex, axis and angle.
       const Turn turn(cone->axis);
+      const double radius = circleBeside(beside, *cone).radius, height = (beside - cone->apex).dot(cone->axis);
       const Vec3 apex = r.gradient.head<3>();
-      gradient.head<3>() << apex.dot(turn.first), apex.dot(turn.second), apex.dot(cone->axis);
+      const double first = apex.dot(turn.first), second = apex.dot(turn.second), along = apex.dot(cone->axis);
+      const double sine = std::sin(cone->half_angle);
+      gradient << first, second, r.gradient[3] - height * first, r.gradient[4] - height * second,
+          -along / std::tan(cone->half_angle), r.gradient[5] + radius / (sine * sine) * along;
     }
     for (int row = 0; row < count; ++row) {
       sums.right[row] -= weight * gradient[row] * r.distance;
@@ -122,6 +128,10 @@ kernels::FlatTurn turnOf(const Shape& shape) {
   return cone ? flattened(Turn(cone->axis)) : kernels::FlatTurn();
 }
 
+kernels::FlatShape flatForFit(const Shape& shape, const FitPoints& points) {
+  return std::visit([&](const auto& s) { return flattenedBeside(points.middle(), s, points.origin()); }, shape);
+}
+
 TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
   Random random(82);
   for (const std::size_t count : {1u, 15u, 16u, 17u, 300u, 5000u}) {
@@ -130,14 +140,14 @@ TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
     FitPoints points;
     points.gather({samples, all});
     for (const Shape& shape : shapes()) {
-      const kernels::NormalEquations truth = plainEquations(shape, samples, 0.5);
+      const kernels::NormalEquations truth = plainEquations(shape, samples, points.middle(), 0.5);
       const int rows = parameterCount(kindOf(shape));
       double largest = 1.0;
       for (int k = 0; k < rows; ++k) largest = std::max(largest, truth.hessian[k][k]);
       kernels::NormalEquations first = {};
       for (const kernels::Loops* loops : kernels::allLoops()) {
         kernels::NormalEquations sums = {};
-        loops->normalEquations(flattened(shape, points.origin()), turnOf(shape), points.view(), 0.5f, sums);
+        loops->normalEquations(flatForFit(shape, points), turnOf(shape), points.view(), 0.5f, sums);
         // Single precision, and a point at the tolerance, whose weight is next to nothing, may fall either side.
         for (int row = 0; row < rows; ++row) {
           EXPECT_NEAR(sums.right[row], truth.right[row], 1e-4 * largest) << loops->name << " " << row;
