@@ -98,26 +98,32 @@ class Ring {
 /// curved shapes lie a quarter or more farther from the truth.
 int ringRadius(const Cloud& cloud) { return std::max(2, static_cast<int>(std::lround(3.0 * cloud.width / 640.0))); }
 
+/// A ball that holds what is within reach of some points.
+struct Ball {
+  float x, y, z, radius;
+
+  /// reach: of each point (m).
+  Ball(const float* px, const float* py, const float* pz, const float* reach, std::size_t count) {
+    constexpr float kRounding = 1.001f;
+    kernels::loops().balls(px, py, pz, count, count, {&x, &y, &z, &radius});
+    radius = kRounding * (radius + *std::max_element(reach, reach + count));
+  }
+
+  bool meets(const kernels::FlatShape& shape) const {
+    float distance;
+    kernels::loops().distances(shape, &x, &y, &z, 1, &distance);
+    return !(std::fabs(distance) > radius);
+  }
+};
+
 /// Places on a shape, with what is known of them so far.
 struct Places {
   std::size_t count;
   float x[kAtOnce], y[kAtOnce], z[kAtOnce];
-  float reach[kAtOnce];  ///< m
-  bool clear[kAtOnce];
-  float middle[3], radius;  ///< of a ball that holds all, enlarged by what they reach (m)
+  float reach[kAtOnce];          ///< m
+  std::uint32_t clear[kAtOnce];  ///< 1 or 0
 
-  void findBall() {
-    float low[3], high[3];
-    const float* const values[] = {x, y, z};
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto ends = std::minmax_element(values[axis], values[axis] + count);
-      low[axis] = *ends.first, high[axis] = *ends.second;
-      middle[axis] = 0.5f * (low[axis] + high[axis]);
-    }
-    constexpr float kRounding = 1.001f;
-    radius = kRounding * (0.5f * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) +
-                          *std::max_element(reach, reach + count));
-  }
+  Ball ball() const { return {x, y, z, reach, count}; }
 };
 
 /// The places of points on the surface, which noise across it does not move: to leave out points by where they
@@ -135,27 +141,25 @@ void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection
   for (std::size_t k = 0; k < places.count; ++k) {
     const float away = feet.distance[k];
     x[k] -= away * feet.nx[k], y[k] -= away * feet.ny[k], z[k] -= away * feet.nz[k];
-    places.clear[k] = true;
+    places.clear[k] = 1;
     if (!normals.taken || !cloud.hasNormals()) continue;
     const std::uint32_t i = points[k];
     const float away_from_sensor = cloud.nx[i] * cloud.x[i] + cloud.ny[i] * cloud.y[i] + cloud.nz[i] * cloud.z[i];
     const float turn = normals.towards_sensor && away_from_sensor > 0.0f ? -side : side;
     const float cosine = turn * (cloud.nx[i] * feet.nx[k] + cloud.ny[i] * feet.ny[k] + cloud.nz[i] * feet.nz[k]);
-    places.clear[k] = !(cosine < least);  // a missing one says nothing
+    places.clear[k] = cosine < least ? 0 : 1;  // a missing one says nothing
   }
 }
 
 /// Those within reach of another detection's observed part are not clear.
 void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Places& places) {
   float distance[kAtOnce], depth[kAtOnce];
-  const float* const middle = places.middle;
-  kernels::loops().distances(shape, middle, middle + 1, middle + 2, 1, distance);
-  if (std::fabs(distance[0]) > places.radius) return;
   kernels::loops().distances(shape, places.x, places.y, places.z, places.count, distance);
   kernels::loops().depths(part.view(), places.x, places.y, places.z, places.count, depth);
   for (std::size_t k = 0; k < places.count; ++k) {
     const float reach = places.reach[k];
-    places.clear[k] = places.clear[k] && !(std::fabs(distance[k]) < reach && depth[k] > -reach);
+    const bool near = (std::fabs(distance[k]) < reach) & (depth[k] > -reach);
+    places.clear[k] &= near ? 0u : 1u;
   }
 }
 
@@ -195,13 +199,14 @@ List<std::uint32_t> ClearPoints::surrounded(std::uint32_t label, const List<std:
 
 List<std::uint32_t> ClearPoints::apart(std::size_t detection, const List<std::uint32_t>& points) const {
   List<std::uint32_t> result;
+  result.reserve(points.size());
   Places places;
   for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
     places.count = std::min(kAtOnce, points.size() - begin);
     findPlaces(cloud_, normals_, detections_[detection], noise_, points.data() + begin, places);
-    places.findBall();
+    const Ball ball = places.ball();
     for (std::size_t other = 0; other < shapes_.size(); ++other) {
-      if (other != detection) leaveOutNear(shapes_[other], parts_[other], places);
+      if (other != detection && ball.meets(shapes_[other])) leaveOutNear(shapes_[other], parts_[other], places);
     }
     for (std::size_t k = 0; k < places.count; ++k) {
       if (places.clear[k]) result.push_back(points[begin + k]);

@@ -63,19 +63,26 @@ Cylinder straightened(const Cone& cone, const SeenSide& side) {
   return {side.point - side.radius * side.outward, (side.point - cone.apex).normalized(), side.radius};
 }
 
-/// The shape and its neighbours: what points that were taken for it may be as well.
+/// The shape and its neighbours: what points that were taken for it may be as well. One that agrees much worse with
+/// them will not get there.
 List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
+  constexpr std::size_t kEnough = 1024;  // points, to compare
+  constexpr double kLeast = 0.75;
+  const double needed = kLeast * agreement(shape, points, kEnough);
   List<Shape> starts = {shape};
-  const auto addBall = [&starts](const SeenSide& side) {
-    starts.push_back(Sphere{side.point - side.radius * side.outward, side.radius});
+  const auto add = [&](const Shape& start) {
+    if (agreement(start, points, kEnough) >= needed) starts.push_back(start);
+  };
+  const auto addBall = [&add](const SeenSide& side) {
+    add(Sphere{side.point - side.radius * side.outward, side.radius});
   };
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    starts.push_back(tapered(*cylinder, points));
+    add(tapered(*cylinder, points));
     addBall(*seenSide(*cylinder, points.middle()));
   }
   if (const Cone* cone = std::get_if<Cone>(&shape)) {
     if (const auto side = seenSide(*cone, points.middle())) {
-      starts.push_back(straightened(*cone, *side));
+      add(straightened(*cone, *side));
       addBall(*side);
     }
   }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "core/fit_points.h"
@@ -55,7 +56,9 @@ std::optional<Shape> refine(const Shape& start, const FitPoints& points, const R
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
                             const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules = {});
 
-/// How well a shape agrees with the points: sum of 1 - (distance / tolerance)^2 over those within their tolerance.
-double agreement(const Shape& shape, const FitPoints& points);
+/// How well a shape agrees with the points: sum of 1 - (distance / tolerance)^2 over those within their tolerance. Of
+/// about `most` of the points, to compare shapes that differ much.
+double agreement(const Shape& shape, const FitPoints& points,
+                 std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace primitect

@@ -14,6 +14,7 @@
 #include "core/fitting.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
+#include "core/strip.h"
 
 namespace primitect {
 namespace {
@@ -66,6 +67,9 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
   detection.confidence *= static_cast<float>(trustIn(detection.shape, uncertainty));
+  if (kindOf(detection.shape) == Kind::plane && noise_.depth_share > 0.0) {
+    detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
+  }
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);

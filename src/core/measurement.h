@@ -24,8 +24,8 @@ class Measurement {
               const Limits& limits);
 
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
-  /// the fit. Where the surface is not seen although it should be (seen_share.h), or its size is left open
-  /// (determination.h), confidence goes down.
+  /// the fit. Where the surface is not seen although it should be (seen_share.h), its size is left open
+  /// (determination.h) or it is a strip of something else (strip.h), confidence goes down.
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection);
 
  private:

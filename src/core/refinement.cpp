@@ -3,7 +3,6 @@
 // Robust Gauss-Newton on geometric distances; see fitting.h.
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/fitting.h"
@@ -94,23 +93,10 @@ std::optional<Shape> refine(const Shape& start, const SampleSet& set,
   return refine(start, points, rules);
 }
 
-double agreement(const Shape& shape, const FitPoints& points) {
-  constexpr std::size_t kAtOnce = 256;
-  std::array<float, kAtOnce> distance;
-  const kernels::FlatShape flat = flattened(shape, points.origin());
-  const kernels::FitPoints p = points.view();
-  double sum = 0.0;
-  for (std::size_t begin = 0; begin < p.count; begin += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, p.count - begin);
-    kernels::loops().distances(flat, p.x + begin, p.y + begin, p.z + begin, count, distance.data());
-    std::array<float, kernels::kLanes> some = {};
-    for (std::size_t k = 0; k < count; ++k) {
-      const float share = distance[k] * p.inverse_tolerance[begin + k];
-      some[k % kernels::kLanes] += share * share < 1.0f ? 1.0f - share * share : 0.0f;
-    }
-    for (const float of_lane : some) sum += of_lane;
-  }
-  return sum;
+double agreement(const Shape& shape, const FitPoints& points, std::size_t most) {
+  const kernels::FitPoints view = points.view();
+  const std::size_t every = std::max<std::size_t>(1, view.count / most);
+  return kernels::loops().agreement(flattened(shape, points.origin()), view, every);
 }
 
 }  // namespace primitect

@@ -169,6 +169,10 @@ struct Loops {
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,
                           NormalEquations& equations);
 
+  /// Sum of 1 - (distance / tolerance)^2 over the points within their tolerance, of every so many-th kLanes of them; no
+  /// more than 2^20 points.
+  double (*agreement)(const FlatShape& shape, const FitPoints& points, std::size_t every);
+
   /// fields: x, y, z, nx, ny, nz of count points, a multiple of kLanes; filled up with zeros. once: 1 for each point, 0
   /// for what fills up.
   void (*moments)(const float* const* fields, const float* once, std::size_t count, MomentSums& sums);

@@ -170,6 +170,31 @@ TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
   }
 }
 
+TEST(Agreement, IsThatOfTheDistancesOnEveryInstructionSet) {
+  Random random(84);
+  for (const std::size_t count : {1u, 15u, 16u, 17u, 300u, 5000u}) {
+    const Samples samples = randomSamples(count, random);
+    const List<std::uint32_t> all = test::allOf(samples);
+    FitPoints points;
+    points.gather({samples, all});
+    for (const Shape& shape : shapes()) {
+      for (const std::size_t every : {1u, 3u}) {
+        double truth = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+          if (i / kLanes % every != 0) continue;
+          const double share = distance(shape, samples.point(i)) * samples.inverse_tolerance[i];
+          truth += std::max(1.0 - share * share, 0.0);
+        }
+        const kernels::FlatShape flat = flattened(shape, points.origin());
+        const double first = (*kernels::allLoops().begin())->agreement(flat, points.view(), every);
+        EXPECT_NEAR(first, truth, 1e-4 * static_cast<double>(count)) << kindName(kindOf(shape));
+        for (const kernels::Loops* loops : kernels::allLoops())
+          EXPECT_EQ(loops->agreement(flat, points.view(), every), first) << loops->name;
+      }
+    }
+  }
+}
+
 TEST(Moments, AreSumsOverThePointsAlone) {
   Random random(83);
   for (const std::size_t count : {1u, 16u, 33u, 2000u}) {
