@@ -25,10 +25,11 @@ class Looking {
   Sight at(int column, int row, const Vec3& expected) const {
     constexpr double kOnSurface = 4.0;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
-    if (nearBound(expected)) return Sight::unknown;
-    if (!cloud_.valid(i)) return inHole(column, row, expected) ? Sight::other : Sight::unknown;
-    if (hides(i, expected)) return Sight::unknown;
-    return std::abs(cloud_.z[i] - expected.z()) < kOnSurface * sigma_(expected) ? Sight::surface : Sight::other;
+    const double sigma = sigma_(expected);
+    if (nearBound(expected, sigma)) return Sight::unknown;
+    if (!cloud_.valid(i)) return inHole(column, row, expected, sigma) ? Sight::other : Sight::unknown;
+    if (hides(i, expected, sigma)) return Sight::unknown;
+    return std::abs(cloud_.z[i] - expected.z()) < kOnSurface * sigma ? Sight::surface : Sight::other;
   }
 
  private:
@@ -37,15 +38,15 @@ class Looking {
   }
 
   /// Clearly nearer: not the surface with a bump.
-  bool hides(std::size_t i, const Vec3& expected) const {
+  bool hides(std::size_t i, const Vec3& expected, double sigma) const {
     constexpr double kNearer = 12.0;  // standard deviations
-    return cloud_.z[i] < expected.z() - kNearer * sigma_(expected);
+    return cloud_.z[i] < expected.z() - kNearer * sigma;
   }
 
   /// Noise takes points beyond a bound, where they are missing.
-  bool nearBound(const Vec3& expected) const {
+  bool nearBound(const Vec3& expected, double sigma) const {
     constexpr double kDeviations = 3.0;
-    return range_.endsWithin(kDeviations * sigma_(expected), expected.z());
+    return range_.endsWithin(kDeviations * sigma, expected.z());
   }
 
   /// The measured pixels on either side of a gap in a row; 0: none.
@@ -67,20 +68,20 @@ class Looking {
   }
 
   /// Single pixels are missing everywhere; and a projector beside the camera leaves a gap along the edge of what hides.
-  bool inHole(int column, int row, const Vec3& expected) const {
+  bool inHole(int column, int row, const Vec3& expected, double sigma) const {
     constexpr int kWidestDropout = 8;  // px
     const Gap gap = gapAt(column, row);
     if (gap.left > 0 && gap.right > 0 && gap.left + gap.right <= kWidestDropout) return false;
-    return !(gap.left > 0 && isShadow(column - gap.left, row, gap.left, expected)) &&
-           !(gap.right > 0 && isShadow(column + gap.right, row, gap.right, expected));
+    return !(gap.left > 0 && isShadow(column - gap.left, row, gap.left, expected, sigma)) &&
+           !(gap.right > 0 && isShadow(column + gap.right, row, gap.right, expected, sigma));
   }
 
   /// A gap as wide as this may be the shadow of the pixel at its end.
-  bool isShadow(int column, int row, int width, const Vec3& expected) const {
+  bool isShadow(int column, int row, int width, const Vec3& expected, double sigma) const {
     constexpr double kBaseline = 0.08;  // m, from the projector, or the second camera, to the camera: seldom more
     const std::size_t i = index(column, row);
     const double widest = kBaseline / std::abs(rays_.x_scale) * (1.0 / cloud_.z[i] - 1.0 / expected.z());
-    return hides(i, expected) && width <= widest + 2.0;
+    return hides(i, expected, sigma) && width <= widest + 2.0;
   }
 
   const Cloud& cloud_;
@@ -116,7 +117,8 @@ class Box {
 };
 
 /// The surface faces the sensor with the side that is seen, and not at a grazing angle.
-bool faces(const Shape& shape, bool concave, const Vec3& point) {
+template <class T>
+bool faces(const T& shape, bool concave, const Vec3& point) {
   constexpr double kLeastCosine = 0.3;
   const double cosine = -normalAt(shape, point).dot(point) / point.norm();
   return (concave ? -cosine : cosine) > kLeastCosine;
@@ -130,15 +132,17 @@ double shareOf(const T& shape, const Detection& detection, const List<std::uint3
   const ObservedPart part(detection.shape, detection.extent);
   const Looking looking(cloud, rays, range, sigma);
   const auto on = opened(shape);
-  const double depth = cloud.z[pixels[pixels.size() / 2]];
+  const double middle = cloud.z[pixels[pixels.size() / 2]];
+  double nearby = middle;
   std::size_t surface = 0, other = 0;
   Box(pixels, cloud.width).forPlaces(kProbes, [&](int column, int row) {
     const Vec3 ray = rays.through(column, row);
-    const std::optional<double> z = depthOn(on, ray, depth);
+    const std::optional<double> z = depthOn(on, ray, nearby);
+    nearby = z.value_or(middle);
     if (!z) return;
     const Vec3 point = *z * ray;
     const Eigen::Vector3f flat = point.cast<float>();
-    if (!faces(detection.shape, detection.concave, point) || part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
+    if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f || !faces(shape, detection.concave, point)) return;
     const Sight sight = looking.at(column, row, point);
     surface += sight == Sight::surface ? 1 : 0;
     other += sight == Sight::other ? 1 : 0;
