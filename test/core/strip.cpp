@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/strip.h"
+
+#include <gtest/gtest.h>
+
+namespace primitect {
+namespace {
+
+double trust(double length, double width, float runs_into) {
+  Extent extent;
+  extent.size = Vec3(length, width, 0.0);
+  Evidence evidence;
+  evidence.runs_into = runs_into;
+  return trustInStrip(extent, evidence);
+}
+
+TEST(TrustInStrip, IsGoneForALongOneThatRunsIntoOthersAlongItsSides) {
+  EXPECT_EQ(trust(0.22, 0.015, 1.7f), 0.0);
+  EXPECT_EQ(trust(0.015, 0.22, 1.7f), 0.0);
+}
+
+TEST(TrustInStrip, IsFullForOneThatEndsAtItsSides) { EXPECT_EQ(trust(0.22, 0.015, 0.4f), 1.0); }
+
+TEST(TrustInStrip, IsFullForWhatIsNoStrip) { EXPECT_EQ(trust(0.2, 0.12, 1.7f), 1.0); }
+
+TEST(TrustInStrip, GoesDownInBetween) {
+  EXPECT_LT(trust(0.25, 0.1, 1.7f), 1.0);
+  EXPECT_GT(trust(0.25, 0.1, 1.7f), trust(0.3, 0.1, 1.7f));
+  EXPECT_GT(trust(0.3, 0.1, 0.6f), trust(0.3, 0.1, 0.9f));
+  EXPECT_GT(trust(0.3, 0.1, 0.9f), 0.0);
+}
+
+}  // namespace
+}  // namespace primitect
