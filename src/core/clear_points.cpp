@@ -121,7 +121,7 @@ struct Places {
   std::size_t count;
   float x[kAtOnce], y[kAtOnce], z[kAtOnce];
   float reach[kAtOnce];          ///< m
-  std::uint32_t clear[kAtOnce];  ///< 1 or 0
+  std::uint32_t clear[kAtOnce];  ///< 1 or 0: as wide as what it is worked out from
 
   Ball ball() const { return {x, y, z, reach, count}; }
 };

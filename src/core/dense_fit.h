@@ -25,7 +25,7 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
                     List<LabelledPoints>& points);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many
-/// points a cylinder and a cone that tapers little can be told apart: both are tried for either.
+/// points a cylinder and a cone that tapers little can be told apart: both are tried for either, and a ball for both.
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits);
 
 }  // namespace primitect

@@ -56,8 +56,11 @@ std::optional<Shape> refine(const Shape& start, const FitPoints& points, const R
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
                             const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules = {});
 
+/// So many points are enough to compare shapes that differ much: takes an eighth of the time that 8192 take.
+constexpr std::size_t kEnoughToCompare = 1024;
+
 /// How well a shape agrees with the points: sum of 1 - (distance / tolerance)^2 over those within their tolerance. Of
-/// about `most` of the points, to compare shapes that differ much.
+/// more than `most` points only `most` to twice as many are asked.
 double agreement(const Shape& shape, const FitPoints& points,
                  std::size_t most = std::numeric_limits<std::size_t>::max());
 

@@ -58,6 +58,10 @@ inline kernels::FlatShape flattened(const Cone& cone, const Vec3& origin) {
   return flat;
 }
 
+inline kernels::FlatShape flattened(const Shape& shape, const Vec3& origin) {
+  return std::visit([&origin](const auto& s) { return flattened(s, origin); }, shape);
+}
+
 /// For fits: a cone by its circle beside a point (m), as nothing near the points is told by an apex far away; the other
 /// kinds as they are.
 template <class T>
@@ -71,9 +75,8 @@ inline kernels::FlatShape flattenedBeside(const Vec3& beside, const Cone& cone, 
   flat.radius = static_cast<float>(circle.radius);
   return flat;
 }
-
-inline kernels::FlatShape flattened(const Shape& shape, const Vec3& origin) {
-  return std::visit([&origin](const auto& s) { return flattened(s, origin); }, shape);
+inline kernels::FlatShape flattenedBeside(const Vec3& beside, const Shape& shape, const Vec3& origin) {
+  return std::visit([&](const auto& s) { return flattenedBeside(beside, s, origin); }, shape);
 }
 
 inline kernels::FlatTurn flattened(const Turn& turn) {

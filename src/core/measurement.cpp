@@ -56,17 +56,20 @@ Shape Measurement::fitted(const Shape& shape) {
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection) {
   points_.gather(cloud_, labelled.index);
   clear_.gather(cloud_, clear);
+  const Kind kind = kindOf(detection.shape);
   detection.shape = canonical(fitted(detection.shape));
+  // What it was taken for is then its rival.
+  if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
   detection.extent = measureExtent(detection.shape, points_, std::move(detection.extent.hull));
   detection.inlier_count = static_cast<std::uint32_t>(labelled.all);
   detection.rms_error = rmsDistance(detection.shape, points_);
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_);
   detection.confidence *=
-      static_cast<float>(trustIn(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
+      static_cast<float>(trustInShare(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
-  detection.confidence *= static_cast<float>(trustIn(detection.shape, uncertainty));
+  detection.confidence *= static_cast<float>(trustInSize(detection.shape, uncertainty));
   if (kindOf(detection.shape) == Kind::plane && noise_.depth_share > 0.0) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
   }

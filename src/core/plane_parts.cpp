@@ -121,13 +121,13 @@ struct LevelTop {
 enum class Tops { not_level, one_height, two_heights };
 
 Tops topsOf(const Samples& samples, const Group& a, const Group& b, const Group& both, const Vec3& level) {
-  constexpr double kAsWell = 0.1;  // for each sample: where it lies level, a plane differs by 0.02
-  constexpr double kDeviations = 1.5, kLevelOff = 0.002;  // rad
+  constexpr double kAsWell = 0.1;      // more misfit for each sample; whole level planes differed by 0.02 at most
+  constexpr double kDeviations = 1.5;  // of the noise of a point
+  constexpr double kLevelOff = 0.002;  // rad, what the level may be off
   const LevelTop first(samples, a, level), second(samples, b, level);
   const double misfit = first.misfit + second.misfit;
   const double margin = std::max(kSure, kAsWell * static_cast<double>(both.samples.size()));
   if (misfit > a.misfit + b.misfit + margin) return Tops::not_level;
-  // The noise of a point, and what the level may be off.
   const Vec3 way = second.mean - first.mean;
   const double least = kDeviations * 0.5 * (first.sigma + second.sigma) + kLevelOff * way.norm();
   if (std::abs(level.dot(way)) < least) return Tops::one_height;

@@ -28,8 +28,9 @@ SampleParts stepParts(const Samples& samples, const Plane& plane, const List<std
 
 /// Groups of these parts of a plane, each of which lies in one plane of its own: two tops of nearly the same height,
 /// which one tilted plane leads over. One group when a single plane fits all of them about as well. level: the normal
-/// of what things stand on, where that was found: their tops lie as it does, so that parts at two heights are rather
-/// two level tops than one tilted plane where these fit better.
+/// of what things stand on, where that was found: their tops lie as it does, so that parts at two heights (1.5
+/// standard deviations of the noise and 2 mrad of the way between them apart) are rather two level tops than one tilted
+/// plane where these fit better, and parts at one height are one plane.
 SampleParts coplanarGroups(const Samples& samples, const SampleParts& parts,
                            const std::optional<Vec3>& level = std::nullopt);
 

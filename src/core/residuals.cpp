@@ -84,7 +84,7 @@ Circle circleBeside(const Vec3& beside, const Cone& cone) {
 }
 
 Cone steppedBeside(const Vec3& beside, const Cone& cone, const Gradient& step) {
-  constexpr double kLeast = 0.02;  // rad: with less of it the apex is farther away than anything is seen
+  constexpr double kLeast = 0.02;  // rad: the apex is fifty radii away, and a cylinder as good
   const Turn turn(cone.axis);
   const Circle circle = circleBeside(beside, cone);
   const Vec3 middle = circle.middle + step[0] * turn.first + step[1] * turn.second;

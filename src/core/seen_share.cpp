@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/observed_part.h"
+#include "core/ramp.h"
 #include "core/ray_depth.h"
 
 namespace primitect {
@@ -138,11 +139,13 @@ double shareOf(const T& shape, const Detection& detection, const List<std::uint3
   Box(pixels, cloud.width).forPlaces(kProbes, [&](int column, int row) {
     const Vec3 ray = rays.through(column, row);
     const std::optional<double> z = depthOn(on, ray, nearby);
-    nearby = z.value_or(middle);
+    nearby = middle;
     if (!z) return;
     const Vec3 point = *z * ray;
     const Eigen::Vector3f flat = point.cast<float>();
-    if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f || !faces(shape, detection.concave, point)) return;
+    if (!faces(shape, detection.concave, point)) return;
+    nearby = *z;  // from a probe that met the far side, the next would, too
+    if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
     const Sight sight = looking.at(column, row, point);
     surface += sight == Sight::surface ? 1 : 0;
     other += sight == Sight::other ? 1 : 0;
@@ -163,9 +166,9 @@ double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, 
   return 1.0;
 }
 
-double trustIn(double seen_share) {
+double trustInShare(double seen_share) {
   constexpr double kNone = 0.75, kFull = 0.9;
-  return std::clamp((seen_share - kNone) / (kFull - kNone), 0.0, 1.0);
+  return ramp(kNone, kFull, seen_share);
 }
 
 }  // namespace primitect

@@ -23,6 +23,6 @@ double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, 
 
 /// What is left of the confidence in a shape of which only this share is seen. Real tubes and cups of recorded frames
 /// are seen to 0.9 and more in spite of the holes of glossy surfaces; what was taken for one in clutter seldom to 0.85.
-double trustIn(double seen_share);
+double trustInShare(double seen_share);
 
 }  // namespace primitect

@@ -201,14 +201,16 @@ bool Verification::isLarge(const Segment& segment) const {
   return static_cast<double>(segment.inliers.size()) > kLargePlane * static_cast<double>(samples_.size());
 }
 
-/// The normal of the largest of the large planes.
-std::optional<Vec3> Verification::level() const {
-  const Segment* largest = nullptr;
+/// The normal of that large plane which this one is most parallel to: what it may stand on.
+std::optional<Vec3> Verification::levelOf(const Segment& plane) const {
+  std::optional<Vec3> level;
+  const Vec3 normal = std::get<Plane>(plane.candidate.shape).normal;
   for (const Segment& segment : segments_) {
     if (kindOf(segment.candidate.shape) != Kind::plane || !isLarge(segment)) continue;
-    if (!largest || segment.inliers.size() > largest->inliers.size()) largest = &segment;
+    const Vec3& other = std::get<Plane>(segment.candidate.shape).normal;
+    if (!level || std::abs(normal.dot(other)) > std::abs(normal.dot(*level))) level = other;
   }
-  return largest ? std::make_optional(std::get<Plane>(largest->candidate.shape).normal) : std::nullopt;
+  return level;
 }
 
 /// Tops of things of nearly the same height that a plane leads over become planes of their own.
@@ -225,7 +227,7 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
   // In parts, what things stand on is one plane all the same.
   if (isLarge(segment)) return false;
   const SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
-  const SampleParts groups = coplanarGroups(samples_, parts, level());
+  const SampleParts groups = coplanarGroups(samples_, parts, levelOf(segment));
   if (groups.size() < 2) return false;
   List<Hypothesis> apart;
   for (const List<std::uint32_t>& group : groups) {

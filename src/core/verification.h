@@ -72,7 +72,7 @@ class Verification {
   void split(const Segment& segment, const HeldGains& held);
   void settle();
   bool isLarge(const Segment& segment) const;
-  std::optional<Vec3> level() const;
+  std::optional<Vec3> levelOf(const Segment& plane) const;
   bool separate();
   bool separate(const Segment& segment, const HeldGains& held);
   void assess();

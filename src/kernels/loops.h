@@ -19,9 +19,9 @@ constexpr std::size_t kLanes = 16;
 struct FlatShape {
   enum Kind { plane, sphere, cylinder, cone };
   Kind kind = plane;
-  float x = 0, y = 0, z = 0;     ///< point of plane or axis, centre, apex (m); for fits middle of a circle of the cone
+  float x = 0, y = 0, z = 0;     ///< point of plane or axis, centre, apex; normalEquations: middle of a cone's circle (m)
   float dx = 0, dy = 0, dz = 0;  ///< normal or axis, of unit length
-  float radius = 0;              ///< of sphere and cylinder (m); for fits of the cone's circle
+  float radius = 0;              ///< of sphere and cylinder; normalEquations: of a cone's circle (m)
   float sine = 0, cosine = 0;    ///< of a cone's half angle
 };
 
@@ -73,7 +73,7 @@ struct FitPoints {
 ///   sphere    centre (x, y, z), radius
 ///   cylinder  point along first, second, turn of the axis (2), radius
 ///   cone      middle of the circle along first, second, turn of the axis about that (2), radius of the circle, half
-///             angle; its FlatShape is that of flattenedBeside() (core/flat.h)
+///             angle
 struct NormalEquations {
   double hessian[6][6];
   double right[6];
@@ -165,12 +165,13 @@ struct Loops {
   GainSums (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
                     std::size_t end, float* gain);
 
-  /// scale: of the tolerances, inverse.
+  /// scale: of the tolerances, inverse. A cone is given by the middle of a circle around its axis and that one's radius,
+  /// to all other loops by its apex.
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,
                           NormalEquations& equations);
 
-  /// Sum of 1 - (distance / tolerance)^2 over the points within their tolerance, of every so many-th kLanes of them; no
-  /// more than 2^20 points.
+  /// Sum of 1 - (distance / tolerance)^2 over the points within their tolerance, of every so many-th kLanes of them. Up
+  /// to 2^20 points: with more, sums in float lose digits.
   double (*agreement)(const FlatShape& shape, const FitPoints& points, std::size_t every);
 
   /// fields: x, y, z, nx, ny, nz of count points, a multiple of kLanes; filled up with zeros. once: 1 for each point, 0

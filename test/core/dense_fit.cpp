@@ -97,6 +97,32 @@ TEST(RefineOnPoints, TurnsAConeOnACylinderIntoTheCylinder) {
   }
 }
 
+TEST(RefineOnPoints, TurnsACylinderOnABandOfABallIntoTheBall) {
+  // As of a bowl from outside: from a little above the equator to 30 deg below it, what faces the sensor.
+  const Sphere bowl = {Vec3(0, 0, 1), 0.09};
+  Random random(57);
+  std::vector<SurfacePoint> points;
+  for (int k = 0; k < 1500; ++k) {
+    const double below = random.uniform(-5.0, 30.0) * kDegree, aside = random.uniform(-60.0, 60.0) * kDegree;
+    const Vec3 normal(std::cos(below) * std::sin(aside), std::sin(below), -std::cos(below) * std::cos(aside));
+    points.push_back({bowl.center + bowl.radius * normal, normal});
+  }
+  // The tube that lies along the middle of the band.
+  const Vec3 middle(0, std::sin(12.0 * kDegree), -std::cos(12.0 * kDegree));
+  const Cylinder proposal = {bowl.center, middle.cross(Vec3::UnitX()), bowl.radius};
+  const Shape found = refined(proposal, noisySamples(points, 0.0, random));
+  ASSERT_EQ(kindOf(found), Kind::sphere);
+  EXPECT_LT((std::get<Sphere>(found).center - bowl.center).norm(), 0.002);
+}
+
+TEST(RefineOnPoints, LeavesAShortTubeATube) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random(seed);
+    const Samples points = noisySamples(patchOf(kCan, 1500, -0.008, 0.008, random), 0.0, random);
+    EXPECT_EQ(kindOf(refined(kCan, points)), Kind::cylinder) << seed;
+  }
+}
+
 TEST(RefineOnPoints, KeepsLimits) {
   Params params;
   params.detect_cones = false;

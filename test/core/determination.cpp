@@ -12,19 +12,19 @@ Uncertainty uncertain(double radius_stddev, double half_angle_stddev = 0.0) {
 }
 
 TEST(TrustInSize, IsFullWhereThePointsDetermineTheRadius) {
-  EXPECT_EQ(trustIn(Sphere{Vec3::Zero(), 0.1}, uncertain(0.001)), 1.0);
-  EXPECT_EQ(trustIn(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.005)), 1.0);
+  EXPECT_EQ(trustInSize(Sphere{Vec3::Zero(), 0.1}, uncertain(0.001)), 1.0);
+  EXPECT_EQ(trustInSize(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.005)), 1.0);
 }
 
 TEST(TrustInSize, IsGoneWhereTheRadiusIsLeftOpen) {
-  EXPECT_EQ(trustIn(Sphere{Vec3::Zero(), 0.1}, uncertain(0.01)), 0.0);
-  EXPECT_EQ(trustIn(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.02)), 0.0);
+  EXPECT_EQ(trustInSize(Sphere{Vec3::Zero(), 0.1}, uncertain(0.01)), 0.0);
+  EXPECT_EQ(trustInSize(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.02)), 0.0);
 }
 
 TEST(TrustInSize, GoesDownInBetween) {
   double before = 1.0;
   for (const double deviation : {0.03, 0.035, 0.04, 0.045}) {
-    const double trust = trustIn(Sphere{Vec3::Zero(), 1.0}, uncertain(deviation));
+    const double trust = trustInSize(Sphere{Vec3::Zero(), 1.0}, uncertain(deviation));
     EXPECT_LT(trust, before);
     EXPECT_GT(trust, 0.0);
     before = trust;
@@ -33,12 +33,12 @@ TEST(TrustInSize, GoesDownInBetween) {
 
 TEST(TrustInSize, OfAConeIsThatInItsHalfAngle) {
   const Cone cone = {Vec3::Zero(), Vec3::UnitZ(), 0.3};
-  EXPECT_EQ(trustIn(cone, uncertain(1.0, 0.02)), 1.0);
-  EXPECT_EQ(trustIn(cone, uncertain(0.0, 0.15)), 0.0);
+  EXPECT_EQ(trustInSize(cone, uncertain(1.0, 0.02)), 1.0);
+  EXPECT_EQ(trustInSize(cone, uncertain(0.0, 0.15)), 0.0);
 }
 
 TEST(TrustInSize, IsFullForPlanesWhichHaveNone) {
-  EXPECT_EQ(trustIn(Plane{Vec3::Zero(), Vec3::UnitZ()}, uncertain(0.0)), 1.0);
+  EXPECT_EQ(trustInSize(Plane{Vec3::Zero(), Vec3::UnitZ()}, uncertain(1.0, 1.0)), 1.0);
 }
 
 }  // namespace

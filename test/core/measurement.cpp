@@ -178,6 +178,49 @@ TEST(Measurement, DoubtsAShapeWhoseSizeItsPointsLeaveOpen) {
   EXPECT_LT(confidenceInCap(0.3, 30.0 * kNoise), 0.4f);
 }
 
+/// How much of its confidence is left to a strip of 40 cm by 2 cm that runs into others all along its border.
+float confidenceInStrip(const NoiseModel& noise) {
+  Random random(45);
+  std::vector<test::SurfacePoint> points;
+  for (int k = 0; k < 400; ++k) {
+    const Vec3 place(random.uniform(-0.2, 0.2), random.uniform(-0.01, 0.01), 1.0);
+    points.push_back({place, -Vec3::UnitZ()});
+  }
+  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
+  List<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const Params params;
+  Detection detection;
+  detection.shape = Plane{Vec3(0, 0, 1), -Vec3::UnitZ()};
+  detection.confidence = 0.8f;
+  detection.evidence.runs_into = 2.0f;
+  Measurement(cloud, findRays(cloud), params, noise, {params, 10.0}).measure({all, 400}, all, detection);
+  return detection.confidence;
+}
+
+TEST(Measurement, DoubtsAStripThatRunsIntoOthersBeforeADepthCamera) {
+  EXPECT_EQ(confidenceInStrip({kNoise, 0.002, 0.5}), 0.0f);
+  EXPECT_EQ(confidenceInStrip({kNoise, 0.0, 0.5}), 0.8f);
+}
+
+TEST(Measurement, NamesWhatAShapeWasTakenForAsItsRival) {
+  Random random(46);
+  const Cloud cloud = test::cloudOf(measured(patchOf(kHat, 3000, 0.03, 0.25, random), kNoise, 0.05, random));
+  List<std::uint32_t> all(3000);
+  std::iota(all.begin(), all.end(), 0u);
+  const test::SurfacePoint seen = test::pointOn(kHat, 0.14, 0.0);
+  const Vec3 along = (seen.point - kHat.apex).normalized();
+  const double radius = (seen.point - kHat.apex).norm() * std::tan(kHat.half_angle);
+  const Params params;
+  Detection detection;
+  detection.shape = Cylinder{seen.point - radius * seen.normal, along, radius};
+  detection.rival = Kind::cone;
+  const double wide = 0.02;  // m: all of the cone's points are within reach of the cylinder
+  Measurement(cloud, findRays(cloud), params, {wide, 0.0, 0.5}, {params, 1.0}).measure({all, 3000}, all, detection);
+  ASSERT_EQ(kindOf(detection.shape), Kind::cone);
+  EXPECT_EQ(detection.rival, Kind::cylinder);
+}
+
 TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   Random random(43);
   std::vector<test::SurfacePoint> points = patchOf(kBall, 1000, random);

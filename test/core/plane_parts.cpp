@@ -121,35 +121,47 @@ TEST(CoplanarGroups, AreTwoTopsThatATiltedPlaneLiesAskewTo) {
   EXPECT_EQ(coplanarGroups(samples, parts).size(), 2u);
 }
 
-/// Two tops of 120 samples each with normals that are good to 0.05 rad, as high as this above each other, and both
-/// turned about the line between their middles.
-SampleParts groupsOfTurnedTops(double step, double turn, const std::optional<Vec3>& level) {
-  Random random(80);
-  Samples samples = withNoise(0.002, twoTops(120, step, random));
-  const Eigen::AngleAxisd rotation(turn, Vec3::UnitX());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vec3 p = Vec3(0, 0, 1) + rotation * (samples.point(i) - Vec3(0, 0, 1)), n = rotation * samples.normal(i);
-    samples.x[i] = static_cast<float>(p.x()), samples.y[i] = static_cast<float>(p.y());
-    samples.z[i] = static_cast<float>(p.z());
-    samples.nx[i] = static_cast<float>(n.x()), samples.ny[i] = static_cast<float>(n.y());
-    samples.nz[i] = static_cast<float>(n.z());
+/// Two tops of 120 samples each, one as much farther (m) than the other, with normals that are good to so much (rad).
+struct Tops {
+  double step, normal_sigma;
+  double gap = 0.0;   ///< m, more than 2 cm
+  double turn = 0.0;  ///< rad, of both about the line between them
+
+  std::size_t groups(const std::optional<Vec3>& level) const {
+    Random random(80);
+    Samples samples = withNoise(0.002, twoTops(120, step, random));
+    const Eigen::AngleAxisd rotation(turn, Vec3::UnitX());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const Vec3 aside(i < 120 ? 0.0 : gap, 0, 0), middle(0, 0, 1);
+      const Vec3 p = middle + rotation * (samples.point(i) + aside - middle), n = rotation * samples.normal(i);
+      samples.x[i] = static_cast<float>(p.x()), samples.y[i] = static_cast<float>(p.y());
+      samples.z[i] = static_cast<float>(p.z());
+      samples.nx[i] = static_cast<float>(n.x()), samples.ny[i] = static_cast<float>(n.y());
+      samples.nz[i] = static_cast<float>(n.z());
+    }
+    std::fill(samples.normal_sigma.begin(), samples.normal_sigma.end(), static_cast<float>(normal_sigma));
+    return coplanarGroups(samples, {range(0, 120), range(120, 240)}, level).size();
   }
-  std::fill(samples.normal_sigma.begin(), samples.normal_sigma.end(), 0.05f);
-  return coplanarGroups(samples, {range(0, 120), range(120, 240)}, level);
-}
+};
+
+const Vec3 kLevel = -Vec3::UnitZ();
 
 TEST(CoplanarGroups, AreTwoTopsThatLieAsWhatTheyStandOn) {
-  // Too little to tell by themselves.
-  EXPECT_EQ(groupsOfTurnedTops(0.0042, 0.0, std::nullopt).size(), 1u);
-  EXPECT_EQ(groupsOfTurnedTops(0.0042, 0.0, Vec3(-Vec3::UnitZ())).size(), 2u);
+  const Tops tops = {0.0042, 0.05};
+  EXPECT_EQ(tops.groups(std::nullopt), 1u);  // too little to tell by themselves
+  EXPECT_EQ(tops.groups(kLevel), 2u);
 }
 
-TEST(CoplanarGroups, AreOneAtOneHeight) {
-  EXPECT_EQ(groupsOfTurnedTops(0.0, 0.0, Vec3(-Vec3::UnitZ())).size(), 1u);
+TEST(CoplanarGroups, AreOneWhereLevelTopsAreAtOneHeight) {
+  // By its normals alone no plane leads over both; what the level may be off does, half a metre away.
+  const Tops tops = {0.0035, 0.003, 0.4};
+  EXPECT_EQ(tops.groups(std::nullopt), 2u);
+  EXPECT_EQ(tops.groups(kLevel), 1u);
 }
 
 TEST(CoplanarGroups, AreJudgedByThemselvesWhereTheyDoNotLieLevel) {
-  EXPECT_EQ(groupsOfTurnedTops(0.0042, 0.3, Vec3(-Vec3::UnitZ())).size(), 1u);
+  EXPECT_EQ((Tops{0.0042, 0.05, 0.0, 0.3}).groups(kLevel), 1u);
+  EXPECT_EQ((Tops{0.0035, 0.003, 0.4, 0.3}).groups(kLevel), 2u);
 }
 
 TEST(CoplanarGroups, JoinPartsOfOneHeightAcrossThatOfAnother) {

@@ -25,8 +25,8 @@ constexpr double kBorders = 0.04;
 /// A can of 5 cm radius 1 m in front of the camera; and, if it is asked for, a post of 1.5 cm 30 cm before it.
 class Can : public testing::Test {
  protected:
-  void render(bool with_post) {
-    const Eigen::Isometry3d place(Eigen::Translation3d(0, 0, 0.08));
+  void render(bool with_post, const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
+    const Eigen::Isometry3d place = Eigen::Translation3d(0, 0, 0.08) * turn;
     const int body = world_.add("can", Rod{0.05, 0.08}, place);
     surface_ = world_.bodies()[static_cast<std::size_t>(body)].first_surface;
     if (with_post) world_.add("post", Rod{0.015, 0.4}, Eigen::Isometry3d(Eigen::Translation3d(-0.3, 0, 0.2)));
@@ -160,12 +160,20 @@ TEST_F(Can, IsTakenAsItIsWhereTheCloudIsNoImage) {
   EXPECT_EQ(share(), 1.0);
 }
 
-TEST(TrustIn, IsFullNearTheWholeAndGoneWhereAQuarterIsNotSeen) {
-  EXPECT_EQ(trustIn(1.0), 1.0);
-  EXPECT_EQ(trustIn(0.9), 1.0);
-  EXPECT_LT(trustIn(0.85), 0.7);
-  EXPECT_EQ(trustIn(0.75), 0.0);
-  EXPECT_EQ(trustIn(0.0), 0.0);
+TEST_F(Can, IsAskedAllOverWhenItLeans) {
+  // Some rays at the borders of the image's box around it meet its far side.
+  render(false, Eigen::AngleAxisd(1.0, Vec3::UnitX()) * Eigen::AngleAxisd(1.0, Vec3::UnitY()));
+  EXPECT_GT(share(), 1.0 - kBorders);
+  changeSome(0.5, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
+  EXPECT_NEAR(share(), 0.5, 0.06);
+}
+
+TEST(TrustInShare, IsFullNearTheWholeAndGoneWhereAQuarterIsNotSeen) {
+  EXPECT_EQ(trustInShare(1.0), 1.0);
+  EXPECT_EQ(trustInShare(0.9), 1.0);
+  EXPECT_LT(trustInShare(0.85), 0.7);
+  EXPECT_EQ(trustInShare(0.75), 0.0);
+  EXPECT_EQ(trustInShare(0.0), 0.0);
 }
 
 }  // namespace

@@ -22,13 +22,17 @@ TEST(TrustInStrip, IsGoneForALongOneThatRunsIntoOthersAlongItsSides) {
 
 TEST(TrustInStrip, IsFullForOneThatEndsAtItsSides) { EXPECT_EQ(trust(0.22, 0.015, 0.4f), 1.0); }
 
+TEST(TrustInStrip, IsFullForASlatOnATable) { EXPECT_EQ(trust(0.4, 0.04, 1.28f), 1.0); }
+
+TEST(TrustInStrip, IsFullForWhatHasNoSize) { EXPECT_EQ(trust(0.0, 0.0, 1.7f), 1.0); }
+
 TEST(TrustInStrip, IsFullForWhatIsNoStrip) { EXPECT_EQ(trust(0.2, 0.12, 1.7f), 1.0); }
 
 TEST(TrustInStrip, GoesDownInBetween) {
   EXPECT_LT(trust(0.25, 0.1, 1.7f), 1.0);
   EXPECT_GT(trust(0.25, 0.1, 1.7f), trust(0.3, 0.1, 1.7f));
-  EXPECT_GT(trust(0.3, 0.1, 0.6f), trust(0.3, 0.1, 0.9f));
-  EXPECT_GT(trust(0.3, 0.1, 0.9f), 0.0);
+  EXPECT_GT(trust(0.3, 0.1, 1.35f), trust(0.3, 0.1, 1.45f));
+  EXPECT_GT(trust(0.3, 0.1, 1.45f), 0.0);
 }
 
 }  // namespace

@@ -128,10 +128,6 @@ kernels::FlatTurn turnOf(const Shape& shape) {
   return cone ? flattened(Turn(cone->axis)) : kernels::FlatTurn();
 }
 
-kernels::FlatShape flatForFit(const Shape& shape, const FitPoints& points) {
-  return std::visit([&](const auto& s) { return flattenedBeside(points.middle(), s, points.origin()); }, shape);
-}
-
 TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
   Random random(82);
   for (const std::size_t count : {1u, 15u, 16u, 17u, 300u, 5000u}) {
@@ -147,7 +143,7 @@ TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
       kernels::NormalEquations first = {};
       for (const kernels::Loops* loops : kernels::allLoops()) {
         kernels::NormalEquations sums = {};
-        loops->normalEquations(flatForFit(shape, points), turnOf(shape), points.view(), 0.5f, sums);
+        loops->normalEquations(flattenedBeside(points.middle(), shape, points.origin()), turnOf(shape), points.view(), 0.5f, sums);
         // Single precision, and a point at the tolerance, whose weight is next to nothing, may fall either side.
         for (int row = 0; row < rows; ++row) {
           EXPECT_NEAR(sums.right[row], truth.right[row], 1e-4 * largest) << loops->name << " " << row;
