@@ -3,12 +3,12 @@
 // Gathering labelled points, and the last least squares; see dense_fit.h.
 #include "core/dense_fit.h"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "core/fitting.h"
 #include "core/label_runs.h"
+#include "core/seen_side.h"
 #include "core/tapered.h"
 
 namespace primitect {
@@ -46,25 +46,6 @@ double priceOf(const Shape& shape, const Shape& found) {
   constexpr int kBallForTube = 7;  // parameters
   const bool other_ball = kindOf(shape) == Kind::sphere && kindOf(found) != Kind::sphere;
   return kPrice * (other_ball ? kBallForTube : parameterCount(kindOf(shape)));
-}
-
-/// A point of a surface in the middle of its seen side, and how the surface is curved there across the axis.
-struct SeenSide {
-  Vec3 point, outward;
-  double radius;
-};
-
-SeenSide seenSide(const Cylinder& cylinder, const Vec3& middle) {
-  const Vec3 outward = normalAt(cylinder, middle);
-  return {middle - distance(cylinder, middle) * outward, outward, cylinder.radius};
-}
-/// Nothing for points at the apex.
-std::optional<SeenSide> seenSide(const Cone& cone, const Vec3& middle) {
-  constexpr double kLeast = 1e-6;  // m
-  const Vec3 outward = normalAt(cone, middle), point = middle - distance(cone, middle) * outward;
-  const double slant = (point - cone.apex).norm();
-  if (!(slant > kLeast)) return std::nullopt;
-  return SeenSide{point, outward, slant * std::tan(cone.half_angle)};
 }
 
 /// The cylinder that touches a cone along the line that its points lie around.

@@ -16,6 +16,10 @@ namespace primitect {
 /// Share of all samples from which on a plane is taken for what things stand on.
 constexpr double kLargePlane = 0.1;
 
+inline bool isLargePlane(std::size_t inliers, std::size_t samples) {
+  return static_cast<double>(inliers) > kLargePlane * static_cast<double>(samples);
+}
+
 using SampleParts = List<List<std::uint32_t>>;
 
 /// Parts of at least `least` samples (rising indices) that do not touch; nothing when all touch.

@@ -70,8 +70,8 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
   kernels::NormalEquations equations = {};
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
-    kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()),
-                                     flattened(turnOf(shape)), points.view(), scale, equations);
+    kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
+                                     points.view(), scale, equations);
     const Gradient step = lengthOf(equations) * solve<parameterCount(kKindOf<T>)>(equations);
     shape = steppedBeside(points.middle(), shape, step);
     if (!usable(shape)) return std::nullopt;

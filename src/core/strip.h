@@ -9,9 +9,9 @@
 namespace primitect {
 
 /// What is left of the confidence in a plane of this extent, [0, 1]: nothing where it is a long strip that runs on
-/// smoothly into other shapes, as what a cylinder that was fitted a little askew leaves over, more than a slat does that
-/// lies flat on something. For depth
-/// cameras: with normals as poor as those of other clouds may be, planes run into all that they cross.
+/// smoothly into other shapes, as what a cylinder that was fitted a little askew leaves over, more than a slat does
+/// that lies flat on something. For depth cameras: with normals as poor as those of other clouds may be, planes run
+/// into all that they cross.
 double trustInStrip(const Extent& extent, const Evidence& evidence);
 
 }  // namespace primitect

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/fitting.h"
+#include "core/seen_side.h"
 
 namespace primitect {
 namespace {
@@ -16,14 +17,13 @@ constexpr double kTapers[] = {0.1, 0.25, 0.45, 0.8};
 }  // namespace
 
 Cone tapered(const Cylinder& cylinder, const FitPoints& points) {
-  const Vec3& middle = points.middle();
-  const Vec3 outward = normalAt(cylinder, middle), seen = middle - distance(cylinder, middle) * outward;
+  const SeenSide seen = seenSide(cylinder, points.middle());
   Cone best;
   double most = -1.0;
   for (const double taper : kTapers) {
     for (const double way : {-1.0, 1.0}) {
-      const Vec3 opening = way * cylinder.axis, apex = seen - cylinder.radius / std::tan(taper) * opening;
-      const Cone cone = {apex, std::cos(taper) * opening - std::sin(taper) * outward, taper};
+      const Vec3 opening = way * cylinder.axis, apex = seen.point - seen.radius / std::tan(taper) * opening;
+      const Cone cone = {apex, std::cos(taper) * opening - std::sin(taper) * seen.outward, taper};
       const double agreed = agreement(cone, points, kEnoughToCompare);
       if (!(agreed > most)) continue;
       most = agreed;

@@ -198,7 +198,7 @@ void Verification::refit() {
 }
 
 bool Verification::isLarge(const Segment& segment) const {
-  return static_cast<double>(segment.inliers.size()) > kLargePlane * static_cast<double>(samples_.size());
+  return isLargePlane(segment.inliers.size(), samples_.size());
 }
 
 /// The normal of that large plane which this one is most parallel to: what it may stand on.

@@ -56,7 +56,7 @@ inline Detection describe(const Segment& segment, const Samples& samples, bool l
 }
 
 inline bool isLargePlane(const Detection& item, std::size_t samples) {
-  return kindOf(item.shape) == Kind::plane && item.inlier_count > kLargePlane * static_cast<double>(samples);
+  return kindOf(item.shape) == Kind::plane && isLargePlane(item.inlier_count, samples);
 }
 
 /// What a detector keeps between frames so that it need not be allocated anew.
@@ -233,8 +233,8 @@ struct Detector::Workspace {
 
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& cloud) {
-    // With twice as many DOD of the paper's scenes is 0.029 sigma instead of 0.038, and takes a fifth longer; spheres of
-    // a depth camera, whose neighbouring pixels err alike, are 7 % nearer to the truth, cylinders not at all.
+    // With twice as many DOD of the paper's scenes is 0.029 sigma instead of 0.038, and takes a fifth longer; spheres
+    // of a depth camera, whose neighbouring pixels err alike, are 7 % nearer to the truth, cylinders not at all.
     constexpr std::size_t kMostPoints = 4096;
     labeling.label(result.items, tolerance, labeling.allRuns(), labels);
     List<bool> far_sides;

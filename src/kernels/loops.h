@@ -19,7 +19,7 @@ constexpr std::size_t kLanes = 16;
 struct FlatShape {
   enum Kind { plane, sphere, cylinder, cone };
   Kind kind = plane;
-  float x = 0, y = 0, z = 0;     ///< point of plane or axis, centre, apex; normalEquations: middle of a cone's circle (m)
+  float x = 0, y = 0, z = 0;  ///< point of plane or axis, centre, apex; normalEquations: middle of a cone's circle (m)
   float dx = 0, dy = 0, dz = 0;  ///< normal or axis, of unit length
   float radius = 0;              ///< of sphere and cylinder; normalEquations: of a cone's circle (m)
   float sine = 0, cosine = 0;    ///< of a cone's half angle
@@ -165,8 +165,8 @@ struct Loops {
   GainSums (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
                     std::size_t end, float* gain);
 
-  /// scale: of the tolerances, inverse. A cone is given by the middle of a circle around its axis and that one's radius,
-  /// to all other loops by its apex.
+  /// scale: of the tolerances, inverse. A cone is given by the middle of a circle around its axis and that one's
+  /// radius, to all other loops by its apex.
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,
                           NormalEquations& equations);
 

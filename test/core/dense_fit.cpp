@@ -43,10 +43,7 @@ std::vector<SurfacePoint> pointsOfCan() {
 }
 
 Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
-  FitPoints fit_points;
-  const List<std::uint32_t> all = test::allOf(points);
-  fit_points.gather({points, all});
-  return refineOnPoints(shape, fit_points, {params, 0.4});
+  return refineOnPoints(shape, test::fitPointsOf(points), {params, 0.4});
 }
 
 TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {

@@ -152,6 +152,15 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
+/// The detection, measured on all points of the cloud.
+Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection detection) {
+  List<std::uint32_t> all(cloud.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const Params params;
+  Measurement(cloud, findRays(cloud), params, noise, {params, 10.0}).measure({all, all.size()}, all, detection);
+  return detection;
+}
+
 /// How much of its confidence is left to a ball of which this many points are seen, this far (rad) around one place.
 float confidenceInCap(double reach, double radius) {
   Random random(44);
@@ -161,15 +170,10 @@ float confidenceInCap(double reach, double radius) {
     const test::SurfacePoint p = patchOf(ball, 1, random).front();
     if (-p.normal.z() > std::cos(reach)) points.push_back(p);
   }
-  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
-  List<std::uint32_t> all(points.size());
-  std::iota(all.begin(), all.end(), 0u);
-  const Params params;
   Detection detection;
   detection.shape = ball;
   detection.confidence = 0.8f;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 10.0}).measure({all, 400}, all, detection);
-  return detection.confidence;
+  return measuredOn(test::cloudOf(measured(points, kNoise, 0.05, random)), kNoiseModel, detection).confidence;
 }
 
 TEST(Measurement, DoubtsAShapeWhoseSizeItsPointsLeaveOpen) {
@@ -186,16 +190,11 @@ float confidenceInStrip(const NoiseModel& noise) {
     const Vec3 place(random.uniform(-0.2, 0.2), random.uniform(-0.01, 0.01), 1.0);
     points.push_back({place, -Vec3::UnitZ()});
   }
-  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
-  List<std::uint32_t> all(points.size());
-  std::iota(all.begin(), all.end(), 0u);
-  const Params params;
   Detection detection;
   detection.shape = Plane{Vec3(0, 0, 1), -Vec3::UnitZ()};
   detection.confidence = 0.8f;
   detection.evidence.runs_into = 2.0f;
-  Measurement(cloud, findRays(cloud), params, noise, {params, 10.0}).measure({all, 400}, all, detection);
-  return detection.confidence;
+  return measuredOn(test::cloudOf(measured(points, kNoise, 0.05, random)), noise, detection).confidence;
 }
 
 TEST(Measurement, DoubtsAStripThatRunsIntoOthersBeforeADepthCamera) {
@@ -206,17 +205,14 @@ TEST(Measurement, DoubtsAStripThatRunsIntoOthersBeforeADepthCamera) {
 TEST(Measurement, NamesWhatAShapeWasTakenForAsItsRival) {
   Random random(46);
   const Cloud cloud = test::cloudOf(measured(patchOf(kHat, 3000, 0.03, 0.25, random), kNoise, 0.05, random));
-  List<std::uint32_t> all(3000);
-  std::iota(all.begin(), all.end(), 0u);
   const test::SurfacePoint seen = test::pointOn(kHat, 0.14, 0.0);
   const Vec3 along = (seen.point - kHat.apex).normalized();
   const double radius = (seen.point - kHat.apex).norm() * std::tan(kHat.half_angle);
-  const Params params;
   Detection detection;
   detection.shape = Cylinder{seen.point - radius * seen.normal, along, radius};
   detection.rival = Kind::cone;
   const double wide = 0.02;  // m: all of the cone's points are within reach of the cylinder
-  Measurement(cloud, findRays(cloud), params, {wide, 0.0, 0.5}, {params, 1.0}).measure({all, 3000}, all, detection);
+  detection = measuredOn(cloud, {wide, 0.0, 0.5}, detection);
   ASSERT_EQ(kindOf(detection.shape), Kind::cone);
   EXPECT_EQ(detection.rival, Kind::cylinder);
 }

@@ -43,7 +43,7 @@ class Can : public testing::Test {
     can_.extent = measureExtent(can_.shape, points);
     rays_ = findRays(cloud_);
     ASSERT_TRUE(rays_.known);
-    ASSERT_GT(pixels_.size(), 1000u);
+    ASSERT_GT(pixels_.size(), 2000u);
   }
 
   /// Calls change(pixel) for a random share of the can's pixels, which are on it no longer.

@@ -46,13 +46,6 @@ Samples patchOfCone(const Cone& cone, std::uint64_t seed) {
   return test::noisySamples(points, 0.0, random);
 }
 
-FitPoints pointsOf(const Samples& samples) {
-  FitPoints points;
-  const List<std::uint32_t> all = test::allOf(samples);
-  points.gather({samples, all});
-  return points;
-}
-
 TEST(Agreement, IsOneForEachPointOnTheShapeAndNothingForOneBeyondTheTolerance) {
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   const auto at = [](double z) { return test::SurfacePoint{Vec3(0, 0, z), -Vec3::UnitZ()}; };
@@ -60,12 +53,12 @@ TEST(Agreement, IsOneForEachPointOnTheShapeAndNothingForOneBeyondTheTolerance) {
   const Samples samples =
       test::samplesWith(test::kNoiseModel, {at(1.0), at(1.0 + 0.5 * tolerance), at(1.0 - 2.0 * tolerance)});
   // Points are in float, a tenth of a micrometre apart.
-  EXPECT_NEAR(agreement(plane, pointsOf(samples)), 1.0 + 0.75, 1e-3);
+  EXPECT_NEAR(agreement(plane, test::fitPointsOf(samples)), 1.0 + 0.75, 1e-3);
 }
 
 TEST(Refine, FindsAConeThatOpensTheOtherWay) {
   const Cone truth = touchingCone(12.0 * kDegree, 1.0);
-  const FitPoints points = pointsOf(patchOfCone(truth, 5));
+  const FitPoints points = test::fitPointsOf(patchOfCone(truth, 5));
   const std::optional<Shape> fitted = refine(touchingCone(4.0 * kDegree, -1.0), points);
   ASSERT_TRUE(fitted);
   EXPECT_GT(std::get<Cone>(*fitted).axis.dot(kAlong), 0.0);
@@ -74,7 +67,7 @@ TEST(Refine, FindsAConeThatOpensTheOtherWay) {
 
 TEST(Tapered, IsAConeThatTouchesTheCylinderWhereThePointsLie) {
   const Samples samples = patchOfCone(touchingCone(20.0 * kDegree, 1.0), 3);
-  const FitPoints points = pointsOf(samples);
+  const FitPoints points = test::fitPointsOf(samples);
   const Cone cone = tapered(kTouching, points);
   const Vec3 seen = points.middle() - distance(kTouching, points.middle()) * normalAt(kTouching, points.middle());
   EXPECT_NEAR(distance(cone, seen), 0.0, 1e-9);
@@ -84,7 +77,7 @@ TEST(Tapered, IsAConeThatTouchesTheCylinderWhereThePointsLie) {
 TEST(Tapered, AgreesBetterThanTheCylinderAndOpensAsThePointsDo) {
   for (const double way : {-1.0, 1.0}) {
     for (const double degrees : {12.0, 20.0, 30.0}) {
-      const FitPoints points = pointsOf(patchOfCone(touchingCone(degrees * kDegree, way), 4));
+      const FitPoints points = test::fitPointsOf(patchOfCone(touchingCone(degrees * kDegree, way), 4));
       const Cone cone = tapered(kTouching, points);
       EXPECT_GT(cone.axis.dot(way * kAlong), 0.0) << degrees;
       EXPECT_GT(agreement(cone, points), agreement(kTouching, points)) << degrees;
@@ -97,7 +90,7 @@ TEST(Tapered, IsWhereTheFitOfAConeGetsToTheTruth) {
     for (const double degrees : {10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 45.0, 55.0}) {
       const Cone truth = touchingCone(degrees * kDegree, way);
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        const FitPoints points = pointsOf(patchOfCone(truth, seed));
+        const FitPoints points = test::fitPointsOf(patchOfCone(truth, seed));
         const std::optional<Shape> fitted = refine(tapered(kTouching, points), points);
         const std::optional<Shape> from_truth = refine(truth, points);
         ASSERT_TRUE(fitted && from_truth);

@@ -89,8 +89,7 @@ TEST(Gains, AreThoseOfTheShapeOnEveryInstructionSet) {
 }
 
 /// The same sums in double, point by point.
-kernels::NormalEquations plainEquations(const Shape& shape, const Samples& samples, const Vec3& beside,
-                                        double scale) {
+kernels::NormalEquations plainEquations(const Shape& shape, const Samples& samples, const Vec3& beside, double scale) {
   kernels::NormalEquations sums = {};
   const int count = parameterCount(kindOf(shape));
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -132,18 +131,17 @@ TEST(NormalEquations, AreThoseOfTheResidualsOnEveryInstructionSet) {
   Random random(82);
   for (const std::size_t count : {1u, 15u, 16u, 17u, 300u, 5000u}) {
     const Samples samples = randomSamples(count, random);
-    const List<std::uint32_t> all = test::allOf(samples);
-    FitPoints points;
-    points.gather({samples, all});
+    const FitPoints points = test::fitPointsOf(samples);
     for (const Shape& shape : shapes()) {
       const kernels::NormalEquations truth = plainEquations(shape, samples, points.middle(), 0.5);
       const int rows = parameterCount(kindOf(shape));
       double largest = 1.0;
       for (int k = 0; k < rows; ++k) largest = std::max(largest, truth.hessian[k][k]);
+      const kernels::FlatShape flat = flattenedBeside(points.middle(), shape, points.origin());
       kernels::NormalEquations first = {};
       for (const kernels::Loops* loops : kernels::allLoops()) {
         kernels::NormalEquations sums = {};
-        loops->normalEquations(flattenedBeside(points.middle(), shape, points.origin()), turnOf(shape), points.view(), 0.5f, sums);
+        loops->normalEquations(flat, turnOf(shape), points.view(), 0.5f, sums);
         // Single precision, and a point at the tolerance, whose weight is next to nothing, may fall either side.
         for (int row = 0; row < rows; ++row) {
           EXPECT_NEAR(sums.right[row], truth.right[row], 1e-4 * largest) << loops->name << " " << row;
@@ -170,9 +168,7 @@ TEST(Agreement, IsThatOfTheDistancesOnEveryInstructionSet) {
   Random random(84);
   for (const std::size_t count : {1u, 15u, 16u, 17u, 300u, 5000u}) {
     const Samples samples = randomSamples(count, random);
-    const List<std::uint32_t> all = test::allOf(samples);
-    FitPoints points;
-    points.gather({samples, all});
+    const FitPoints points = test::fitPointsOf(samples);
     for (const Shape& shape : shapes()) {
       for (const std::size_t every : {1u, 3u}) {
         double truth = 0.0;
@@ -195,9 +191,7 @@ TEST(Moments, AreSumsOverThePointsAlone) {
   Random random(83);
   for (const std::size_t count : {1u, 16u, 33u, 2000u}) {
     const Samples samples = randomSamples(count, random);
-    const List<std::uint32_t> all = test::allOf(samples);
-    FitPoints points;
-    points.gather({samples, all});
+    const FitPoints points = test::fitPointsOf(samples);
     const kernels::MomentSums sums = points.moments();
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
     Eigen::Matrix<double, 6, 6> product = Eigen::Matrix<double, 6, 6>::Zero();

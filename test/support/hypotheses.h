@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fit_points.h"
 #include "core/hypothesis.h"
 #include "core/noise.h"
 #include "core/proposal.h"
@@ -54,6 +55,14 @@ inline Candidate proposalAt(const Shape& shape, const Samples& samples, std::uin
   candidate.votes = 100.0;
   candidate.sample = reference;
   return candidate;
+}
+
+/// All of them as the points of a fit.
+inline FitPoints fitPointsOf(const Samples& samples) {
+  FitPoints points;
+  const List<std::uint32_t> all = allOf(samples);
+  points.gather({samples, all});
+  return points;
 }
 
 }  // namespace primitect::test
