@@ -3,11 +3,13 @@
 // Errors of pose and sizes over their claimed spread; see nees.h.
 #include "eval/nees.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "core/covariance.h"
+#include "core/symmetric_eigen.h"
 
 namespace primitect::eval {
 namespace {
@@ -66,12 +68,17 @@ std::optional<NormalisedError> normalised(const Matrix6& covariance, const Vecto
   if (directions.cols() == 0) return std::nullopt;
   // With more digits, as variances of 1e6 cancel out.
   const auto exactly = directions.cast<long double>().eval();
-  const Eigen::MatrixXd part = (exactly.transpose() * covariance.cast<long double>() * exactly).cast<double>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(part);
-  const Eigen::VectorXd along = solver.eigenvectors().transpose() * (directions.transpose() * error);
+  const auto spread = covariance.cast<long double>().lazyProduct(exactly).eval();
+  // The rest of the matrix stands for directions that nobody asks for.
+  Matrix6 part = kUnobservable * Matrix6::Identity();
+  part.topLeftCorner(directions.cols(), directions.cols()) = exactly.transpose().lazyProduct(spread).cast<double>();
+  const SymmetricEigen eigen = eigenOf(part);
+  Vector6 off = Vector6::Zero();
+  off.head(directions.cols()) = directions.transpose().lazyProduct(error);
+  const Vector6 along = eigen.vectors.transpose() * off;
   NormalisedError result;
   for (Eigen::Index k = 0; k < along.size(); ++k) {
-    const double variance = solver.eigenvalues()[k];
+    const double variance = eigen.values[k];
     if (variance >= kLeastUnobservable) continue;
     if (!(variance > 0.0)) return std::nullopt;
     result.value += along[k] * along[k] / variance;

@@ -3,13 +3,13 @@
 // Covariance of a robust fit (Huber, Robust Statistics, 1981, 7.6) and its way to the pose; see covariance.h.
 #include "core/covariance.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/flat_gradients.h"
+#include "core/symmetric_eigen.h"
 
 namespace primitect {
 namespace {
@@ -70,10 +70,10 @@ Directions directionsOf(const Hessian& information, int parameters) {
   Hessian alike = scale.asDiagonal() * information * scale.asDiagonal();
   // Out of the way, and removed again by their scale of 0.
   for (int k = parameters; k < kMostParameters; ++k) alike(k, k) = 1.0;
-  const Eigen::SelfAdjointEigenSolver<Hessian> solver(alike);
+  const SymmetricEigen eigen = eigenOf(alike);
   for (int k = 0; k < kMostParameters; ++k) {
-    const Gradient direction = scale.cwiseProduct(solver.eigenvectors().col(k));
-    const double strength = solver.eigenvalues()[k];
+    const Gradient direction = scale.cwiseProduct(eigen.vectors.col(k));
+    const double strength = eigen.values[k];
     if (strength > kNothing) {
       result.fit += direction * direction.transpose() / strength;
     } else {

@@ -36,18 +36,19 @@ Turn turnOf(const Sphere&) { return Turn(Vec3::UnitZ()); }
 Turn turnOf(const Cylinder& cylinder) { return Turn(cylinder.axis); }
 Turn turnOf(const Cone& cone) { return Turn(cone.axis); }
 
-template <int N>
-Gradient solve(const kernels::NormalEquations& equations) {
-  Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
-  Eigen::Matrix<double, N, 1> right;
-  for (int row = 0; row < N; ++row) {
+Gradient solve(int parameters, const kernels::NormalEquations& equations) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostParameters, kMostParameters>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostParameters, 1>;
+  Matrix hessian(parameters, parameters);
+  Column right(parameters);
+  for (int row = 0; row < parameters; ++row) {
     for (int column = 0; column <= row; ++column) hessian(row, column) = equations.hessian[row][column];
     right[row] = equations.right[row];
   }
   // Damped a little: a direction that the points say nothing about stays.
   hessian.diagonal().array() += 1e-9 * hessian.trace() + 1e-12;
   Gradient step = Gradient::Zero();
-  step.head<N>() = hessian.template selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  step.head(parameters) = Eigen::LDLT<Matrix>(hessian).solve(right);
   return step;
 }
 
@@ -72,7 +73,7 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
                                      points.view(), scale, equations);
-    const Gradient step = lengthOf(equations) * solve<parameterCount(kKindOf<T>)>(equations);
+    const Gradient step = lengthOf(equations) * solve(parameterCount(kKindOf<T>), equations);
     shape = steppedBeside(points.middle(), shape, step);
     if (!usable(shape)) return std::nullopt;
     if (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step)) break;

@@ -66,9 +66,9 @@ Family drawTriangleFamily(Random& random) {
   const Vec3 middle = drawMiddle(random);
   const double tilt = random.uniform(25.0, 60.0) * kDegree, heading = random.uniform(0.0, 360.0) * kDegree;
   const Vec3 across(std::cos(heading), std::sin(heading), 0.0);
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normalAt(background().shape, Vec3::Zero())).matrix() *
-      Eigen::AngleAxisd(tilt, across).matrix();
+  const Vec3 up = normalAt(background().shape, Vec3::Zero());
+  const Eigen::AngleAxisd onto_background(std::acos(up.z()), Vec3::UnitZ().cross(up).normalized());
+  const Eigen::Matrix3d turn = (onto_background * Eigen::AngleAxisd(tilt, across)).matrix();
   std::array<Vec3, 3> offsets;
   for (int k = 0; k < 3; ++k) {
     const double angle = (120.0 * k + random.uniform(-30.0, 30.0)) * kDegree;
