@@ -40,6 +40,9 @@ struct Start {
   bool concave;
 };
 
+/// Which starts are fitted.
+enum class Tried { all, promising };
+
 /// A cylinder helps to find cones, too (tapered.h).
 bool isFitted(Kind kind, const Params& params) {
   return enabled(kind, params) || (kind == Kind::cylinder && enabled(Kind::cone, params));
@@ -110,9 +113,9 @@ class Fits {
     trial_.reach = beyond(rules.noise) * reachOf(samples, set, trial_.middle);
   }
 
-  /// From all starts; returns how many ended beyond the limits. Once its own has led somewhere, no other of its kind
-  /// and side is tried.
-  int all(const Start& own) {
+  /// From its own and those of all kinds; returns how many ended beyond the limits. Once its own has led somewhere, no
+  /// other of its kind and side is tried.
+  int from(const Start& own, Tried tried) {
     int refused = 0;
     bool own_holds = false;
     const auto like_own = [&own](const Start& s) {
@@ -120,26 +123,38 @@ class Fits {
     };
     for (const Start& start : startsFor(own, moments_, points_.meanSigma(), rules_)) {
       if (own_holds && like_own(start)) continue;
-      const std::optional<bool> holds = from(start);
+      if (tried == Tried::promising && !promises(start)) continue;
+      const std::optional<bool> holds = fit(start);
       own_holds = own_holds || (like_own(start) && holds.value_or(false));
       if (holds && !*holds && enabled(kindOf(start.shape), rules_.limits.params)) ++refused;
     }
     if (best_cylinder_) {
-      from({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
+      fit({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
     }
     return refused;
   }
 
  private:
+  /// A start that agrees much worse with the samples than a fit before it will not get there; what moments tell of a
+  /// cone is rough. Measured on 120 clouds of the paper: finds as much as all starts, .3 % more of the cylinders, in an
+  /// eighth less time; 0.8, or 0.6 for cones, too, makes balls or tubes of one cone in 200.
+  bool promises(const Start& start) const {
+    constexpr double kLeast = 0.7, kLeastOfCones = 0.3;  // of the best
+    const double least = kindOf(start.shape) == Kind::cone ? kLeastOfCones : kLeast;
+    return agreement(start.shape, points_) >= least * best_agreement_;
+  }
+
   /// Whether the fit ends within the limits; nothing when it fails.
-  std::optional<bool> from(const Start& start) {
+  std::optional<bool> fit(const Start& start) {
     // Two steps with the tolerance that gathered the samples, so that a poor start is not left where it is; the last
     // one is far below what few samples can tell. More than six find nothing else.
     constexpr double kSmallStep = 0.02;  // of the noise
     const std::optional<Shape> shape =
         refine(start.shape, points_, {rules_.widen, 2, 6, kSmallStep / kInlierDeviations});
     if (!shape) return std::nullopt;
-    if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave});
+    const double agreed = agreement(*shape, points_);
+    best_agreement_ = std::max(best_agreement_, agreed);
+    if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
     if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_.noise)) return false;
     judge(*shape, start.concave);
     if (const Plane* plane = std::get_if<Plane>(&*shape)) {
@@ -157,12 +172,11 @@ class Fits {
   }
 
   /// Cones may begin at a cylinder that is none itself.
-  void remember(const Start& cylinder) {
+  void remember(const Start& cylinder, double agreed) {
     if (!enabled(Kind::cone, rules_.limits.params)) return;
-    const double agreed = agreement(cylinder.shape, points_);
-    if (!(agreed > best_agreement_)) return;
+    if (!(agreed > agreement_of_cylinder_)) return;
     best_cylinder_ = cylinder;
-    best_agreement_ = agreed;
+    agreement_of_cylinder_ = agreed;
   }
 
   const Samples& samples_;
@@ -173,7 +187,7 @@ class Fits {
   Moments moments_;
   Hypothesis trial_;
   std::optional<Start> best_cylinder_;
-  double best_agreement_ = 0.0;
+  double best_agreement_ = 0.0, agreement_of_cylinder_ = 0.0;
 };
 
 }  // namespace
@@ -193,7 +207,8 @@ bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::
     hypothesis.middle = trial.middle;
     hypothesis.reach = trial.reach;
   };
-  const int refused = Fits(samples, held, set, rules, take).all({hypothesis.shape, hypothesis.concave});
+  const int refused =
+      Fits(samples, held, set, rules, take).from({hypothesis.shape, hypothesis.concave}, Tried::promising);
   if (refusals) (*refusals)[Refusal::limits] += refused;
   if (best > 0.0) evaluate(samples, held, 1.0, hypothesis);
   return best > 0.0;
@@ -222,7 +237,11 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
     best = trial.score;
     rival.kind = kind;
   };
-  Fits(samples, held, set, rules, compare).all({hypothesis.shape, hypothesis.concave});
+  // What is left open between shapes that hardly fit tells clutter from shapes. Measured on 44 seeds: with promising
+  // starts only, .12 instead of .10 false curved shapes are in a recorded frame; outside of depth frames, where clutter
+  // is rare, .4 % more of the cylinders are found.
+  const Tried tried = rules.noise.depth_share > 0.0 ? Tried::all : Tried::promising;
+  Fits(samples, held, set, rules, compare).from({hypothesis.shape, hypothesis.concave}, tried);
   const auto inliers = static_cast<double>(set.size());
   rival.lead = (own.score - best_to_lead) / inliers;
   if (own.score - best > kClose * inliers) rival.kind.reset();
