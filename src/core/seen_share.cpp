@@ -14,6 +14,9 @@
 namespace primitect {
 namespace {
 
+/// Below the one share nothing is left of the confidence, above the other all of it.
+constexpr double kNoTrust = 0.75, kFullTrust = 0.9;
+
 /// What the image shows where the surface should be.
 enum class Sight { surface, other, unknown };
 
@@ -102,17 +105,26 @@ class Box {
     }
   }
 
-  /// Calls use(column, row) for about so many places, in a grid.
-  template <class Use>
-  void forPlaces(double count, const Use& use) const {
+  /// Calls use(column, row) for about so many places, in a grid: for every second one of every second row, then for
+  /// another such quarter, until settled().
+  template <class Use, class Settled>
+  void forPlaces(double count, const Use& use, const Settled& settled) const {
     const double area = static_cast<double>(right_ - left_ + 1) * static_cast<double>(bottom_ - top_ + 1);
     const int step = std::max(1, static_cast<int>(std::sqrt(area / count)));
-    for (int row = top_; row <= bottom_; row += step) {
-      for (int column = left_; column <= right_; column += step) use(column, row);
+    constexpr Place kFirst[] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    for (const Place& first : kFirst) {
+      for (int row = top_ + first.row * step; row <= bottom_; row += 2 * step) {
+        for (int column = left_ + first.column * step; column <= right_; column += 2 * step) use(column, row);
+      }
+      if (settled()) return;
     }
   }
 
  private:
+  struct Place {
+    int column, row;
+  };
+
   int left_ = std::numeric_limits<int>::max(), right_ = -1;
   int top_ = std::numeric_limits<int>::max(), bottom_ = -1;
 };
@@ -125,18 +137,34 @@ bool faces(const T& shape, bool concave, const Vec3& point) {
   return (concave ? -cosine : cosine) > kLeastCosine;
 }
 
+/// How much of what was looked for was seen.
+struct Count {
+  std::size_t surface = 0, other = 0;
+
+  std::size_t asked() const { return surface + other; }
+  double share() const { return static_cast<double>(surface) / static_cast<double>(asked()); }
+  bool enough() const { return asked() >= 100; }  // a share of 0.9 is then known to 0.03
+
+  /// More places would not change what is left of the confidence.
+  bool settled() const {
+    constexpr double kDeviations = 3.0;
+    if (!enough()) return false;
+    const double margin = kDeviations * std::sqrt(share() * (1.0 - share()) / static_cast<double>(asked()));
+    return share() - margin > kFullTrust || share() + margin < kNoTrust;
+  }
+};
+
 template <class T>
 double shareOf(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
-  constexpr double kProbes = 2000.0;    // of the box: even a tube across it gets some hundred
-  constexpr std::size_t kFewest = 100;  // a share of 0.9 is then known to 0.03
+  constexpr double kProbes = 2000.0;  // of the box: even a tube across it gets some hundred
   const ObservedPart part(detection.shape, detection.extent);
   const Looking looking(cloud, rays, range, sigma);
   const auto on = opened(shape);
   const double middle = cloud.z[pixels[pixels.size() / 2]];
   double nearby = middle;
-  std::size_t surface = 0, other = 0;
-  Box(pixels, cloud.width).forPlaces(kProbes, [&](int column, int row) {
+  Count count;
+  const auto lookAt = [&](int column, int row) {
     const Vec3 ray = rays.through(column, row);
     const std::optional<double> z = depthOn(on, ray, nearby);
     nearby = middle;
@@ -147,11 +175,11 @@ double shareOf(const T& shape, const Detection& detection, const List<std::uint3
     nearby = *z;  // from a probe that met the far side, the next would, too
     if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
     const Sight sight = looking.at(column, row, point);
-    surface += sight == Sight::surface ? 1 : 0;
-    other += sight == Sight::other ? 1 : 0;
-  });
-  const std::size_t asked = surface + other;
-  return asked < kFewest ? 1.0 : static_cast<double>(surface) / static_cast<double>(asked);
+    count.surface += sight == Sight::surface ? 1 : 0;
+    count.other += sight == Sight::other ? 1 : 0;
+  };
+  Box(pixels, cloud.width).forPlaces(kProbes, lookAt, [&count] { return count.settled(); });
+  return count.enough() ? count.share() : 1.0;
 }
 
 }  // namespace
@@ -166,9 +194,6 @@ double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, 
   return 1.0;
 }
 
-double trustInShare(double seen_share) {
-  constexpr double kNone = 0.75, kFull = 0.9;
-  return ramp(kNone, kFull, seen_share);
-}
+double trustInShare(double seen_share) { return ramp(kNoTrust, kFullTrust, seen_share); }
 
 }  // namespace primitect
