@@ -129,7 +129,10 @@ LabelledCloud makeLabelledCloud(const Recipe& recipe) {
   result.recipe = recipe;
   // Depth frames and parts bring their own.
   if (result.scored.size() == 0) result.scored = result.cloud;
-  if (recipe.keep < 1.0 || recipe.uneven > 1.0) thinOut(result.cloud, recipe.keep, recipe.uneven, recipe.seed);
+  if (recipe.keep < 1.0 || recipe.uneven > 1.0) {
+    thinOut(result.cloud, recipe.keep, recipe.uneven, recipe.seed);
+    if (result.from_sensor) excuseThinned(result);
+  }
   if (recipe.shuffle) shufflePoints(result.cloud, recipe.seed);
   return result;
 }

@@ -168,4 +168,14 @@ LabelledCloud tabletopFrame(const Recipe& recipe) {
   return result;
 }
 
+void excuseThinned(LabelledCloud& frame) {
+  std::vector<std::uint32_t> left(frame.truth.size(), 0);
+  for (std::size_t i = 0; i < frame.surface.size(); ++i) {
+    if (frame.surface[i] >= 0 && frame.cloud.valid(i)) ++left[frame.surface[i]];
+  }
+  for (std::size_t t = 0; t < left.size(); ++t) {
+    if (left[t] < kLeastPixels) frame.truth[t].must = false;
+  }
+}
+
 }  // namespace primitect::eval

@@ -12,7 +12,6 @@
 #include "eval/case_score.h"
 #include "eval/methods.h"
 #include "eval/tabletop_frames.h"
-#include "eval/tabletop_frames.h"
 
 namespace {
 
@@ -125,6 +124,26 @@ TEST(Recipe, UnevenThinsOutMoreAndMoreAcrossTheCloud) {
   EXPECT_NEAR(densestToThinnestTenth(all, thin), std::pow(10.0, 0.9), 2.5);
   EXPECT_LT(thin.cloud.size(), all.cloud.size());
   EXPECT_EQ(thin.scored.size(), all.cloud.size());
+}
+
+TEST(Recipe, ShapesOfAFrameThatAreThinnedOutToLessThanARegionNeedNotBeFound) {
+  Recipe recipe = recipeOf("tabletop");
+  const LabelledCloud all = makeLabelledCloud(recipe);
+  recipe.uneven = 10.0;
+  const LabelledCloud thin = makeLabelledCloud(recipe);
+  ASSERT_EQ(thin.truth.size(), all.truth.size());
+  std::size_t excused = 0, asked = 0;
+  for (std::size_t t = 0; t < all.truth.size(); ++t) {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < thin.surface.size(); ++i) {
+      left += thin.surface[i] == static_cast<int>(t) && thin.cloud.valid(i) ? 1 : 0;
+    }
+    EXPECT_EQ(thin.truth[t].must, all.truth[t].must && left >= kLeastPixels) << "shape " << t;
+    excused += all.truth[t].must && !thin.truth[t].must ? 1 : 0;
+    asked += thin.truth[t].must ? 1 : 0;
+  }
+  EXPECT_GT(excused, 0u);
+  EXPECT_GT(asked, 0u);
 }
 
 TEST(Recipe, ShuffledHoldsTheSamePointsInAnotherOrder) {
