@@ -16,7 +16,8 @@ namespace primitect::eval {
 struct TrueShape {
   Shape shape;
   bool concave = false;  ///< seen from inside
-  /// False: found or not, it counts neither way (too few pixels, or concave where convex shapes are asked for).
+  /// False: found or not, it counts neither way (too few pixels, also after thinning out, or concave where convex
+  /// shapes are asked for).
   bool must = true;
   /// False: it stands for several surfaces that are nearly the same, and its numbers are those of one of them.
   bool exact = true;

@@ -12,8 +12,9 @@ constexpr std::uint32_t kLeastPixels = 900;
 
 /// The frame of recipe.seed and of recipe.set, "tabletop" or "clutter": 640 x 480 points within 2 m, without normals.
 /// Scored on the points of the surfaces themselves, without noise, and their normals: a wall of a cup is thinner than
-/// the noise is wide. Shapes with fewer than kLeastPixels or nowhere five pixels wide (the rim of a
-/// box), and those seen from inside, need not be found. DOD in mm; a point belongs to a detection within 20 mm. Throws std::invalid_argument for a noise scale out of range.
+/// the noise is wide. Shapes with fewer than kLeastPixels or nowhere five pixels wide (the rim of a box), and those
+/// seen from inside, need not be found. DOD in mm; a point belongs to a detection within 20 mm. Throws
+/// std::invalid_argument for a noise scale out of range.
 LabelledCloud tabletopFrame(const Recipe& recipe);
 
 /// Once points were taken from such a frame: shapes of which fewer than kLeastPixels are left need not be found.

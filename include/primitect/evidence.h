@@ -14,7 +14,7 @@ struct Evidence {
   float runs_into = 0.0f;        ///< the same into another shape
   float border_residual = 0.0f;  ///< mean |distance| along that border in standard deviations; noise alone: 0.8
   float turn = 0.0f;             ///< 1 - |mean normal|: 0 of a plane, 0.5 of half a sphere
-  float lead = 0.0f;             ///< score over that of the best other kind, per inlier, at most 1; planes: 0
+  float lead = 0.0f;             ///< score over that of the best other kind tried, per inlier, at most 1; planes: 0
 };
 
 }  // namespace primitect

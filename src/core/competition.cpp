@@ -113,8 +113,8 @@ class Fits {
     trial_.reach = beyond(rules.noise) * reachOf(samples, set, trial_.middle);
   }
 
-  /// From its own and those of all kinds; returns how many ended beyond the limits. Once its own has led somewhere, no
-  /// other of its kind and side is tried.
+  /// From its own start and those of all kinds; returns how many ended beyond the limits. Once its own has led
+  /// somewhere, no other of its kind and side is tried.
   int from(const Start& own, Tried tried) {
     int refused = 0;
     bool own_holds = false;
@@ -135,9 +135,10 @@ class Fits {
   }
 
  private:
-  /// A start that agrees much worse with the samples than a fit before it will not get there; what moments tell of a
-  /// cone is rough. Measured on 120 clouds of the paper: finds as much as all starts, .3 % more of the cylinders, in an
-  /// eighth less time; 0.8, or 0.6 for cones, too, makes balls or tubes of one cone in 200.
+  /// A start that agrees much worse with the samples than a fit before it that holds will not get there; what moments
+  /// tell of a cone is rough. The last fit, on more points, asks the same (dense_fit.cpp). Measured on 120 clouds of
+  /// the paper: finds as much as all starts in an eighth less time; 0.8, or 0.6 for cones, too, makes balls or tubes of
+  /// one cone in 200.
   bool promises(const Start& start) const {
     constexpr double kLeast = 0.7, kLeastOfCones = 0.3;  // of the best
     const double least = kindOf(start.shape) == Kind::cone ? kLeastOfCones : kLeast;
@@ -153,9 +154,9 @@ class Fits {
         refine(start.shape, points_, {rules_.widen, 2, 6, kSmallStep / kInlierDeviations});
     if (!shape) return std::nullopt;
     const double agreed = agreement(*shape, points_);
-    best_agreement_ = std::max(best_agreement_, agreed);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
     if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_.noise)) return false;
+    best_agreement_ = std::max(best_agreement_, agreed);
     judge(*shape, start.concave);
     if (const Plane* plane = std::get_if<Plane>(&*shape)) {
       const auto by_normals = planeByNormals(*plane, moments_, points_.meanSigma());

@@ -27,14 +27,16 @@ struct ProposalRules {
   double reach;  ///< m, of a candidate around its reference
 };
 
-/// The best of all kinds for these samples; false when none is within the limits or better than nothing.
+/// The best of all kinds for these samples, as far as their moments promise any; false when none is within the limits
+/// or better than nothing.
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals = nullptr);
 
 /// Who comes second for the samples of a hypothesis.
 struct Rival {
   std::optional<Kind> kind;  ///< of the best other kind, if its lead is small
-  double lead = 1.0;         ///< score of the hypothesis over it, per sample
+  double lead = 1.0;         ///< score of the hypothesis over it, per sample; outside of depth frames not over kinds
+                             ///< whose moments agree much worse with the samples
 };
 Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                 const ProposalRules& rules, const Hypothesis& hypothesis);

@@ -36,10 +36,11 @@ Turn turnOf(const Sphere&) { return Turn(Vec3::UnitZ()); }
 Turn turnOf(const Cylinder& cylinder) { return Turn(cylinder.axis); }
 Turn turnOf(const Cone& cone) { return Turn(cone.axis); }
 
+/// Of one type for all kinds: the decomposition takes seconds to compile.
 Gradient solve(int parameters, const kernels::NormalEquations& equations) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostParameters, kMostParameters>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostParameters, 1>;
-  Matrix hessian(parameters, parameters);
+  Matrix hessian = Matrix::Zero(parameters, parameters);
   Column right(parameters);
   for (int row = 0; row < parameters; ++row) {
     for (int column = 0; column <= row; ++column) hessian(row, column) = equations.hessian[row][column];

@@ -105,8 +105,8 @@ class Box {
     }
   }
 
-  /// Calls use(column, row) for about so many places, in a grid: for every second one of every second row, then for
-  /// another such quarter, until settled().
+  /// Calls use(column, row) for at most about so many places, in a grid: for every second one of every second row, then
+  /// for another such quarter, until settled().
   template <class Use, class Settled>
   void forPlaces(double count, const Use& use, const Settled& settled) const {
     const double area = static_cast<double>(right_ - left_ + 1) * static_cast<double>(bottom_ - top_ + 1);
@@ -143,9 +143,13 @@ struct Count {
 
   std::size_t asked() const { return surface + other; }
   double share() const { return static_cast<double>(surface) / static_cast<double>(asked()); }
-  bool enough() const { return asked() >= 100; }  // a share of 0.9 is then known to 0.03
+  bool enough() const {
+    constexpr std::size_t kFewest = 100;  // a share of 0.9 is then known to 0.03
+    return asked() >= kFewest;
+  }
 
-  /// More places would not change what is left of the confidence.
+  /// More places would not change what is left of the confidence, as if each was seen or not on its own: most shapes
+  /// are seen to nearly all. A quarter of the places settles them, in a quarter of the time: 0.5 ms less for a table.
   bool settled() const {
     constexpr double kDeviations = 3.0;
     if (!enough()) return false;

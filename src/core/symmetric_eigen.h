@@ -7,6 +7,7 @@
 
 namespace primitect {
 
+/// Eigenvalues and the directions that they belong to.
 struct SymmetricEigen {
   Gradient values;  ///< rising
   Hessian vectors;  ///< unit columns, in that order

@@ -66,6 +66,7 @@ Family drawTriangleFamily(Random& random) {
   const Vec3 middle = drawMiddle(random);
   const double tilt = random.uniform(25.0, 60.0) * kDegree, heading = random.uniform(0.0, 360.0) * kDegree;
   const Vec3 across(std::cos(heading), std::sin(heading), 0.0);
+  // Quaternion's FromTwoVectors would compile a singular value decomposition: ten seconds.
   const Vec3 up = normalAt(background().shape, Vec3::Zero());
   const Eigen::AngleAxisd onto_background(std::acos(up.z()), Vec3::UnitZ().cross(up).normalized());
   const Eigen::Matrix3d turn = (onto_background * Eigen::AngleAxisd(tilt, across)).matrix();

@@ -277,6 +277,24 @@ TEST(Proposal, IsNotTriedAThirdTimeAtTheSamePlace) {
   EXPECT_EQ(proposed(enough, {wrong, proposalAt(kWall, enough, 0)}).pool.size(), 1u);
 }
 
+TEST(BestOfKinds, IsNotHeldBackByABetterFitBeyondTheLimits) {
+  // 60 deg of a tube that is wider than allowed: a plane explains some of it.
+  Random random(82);
+  std::vector<SurfacePoint> strip;
+  for (const SurfacePoint& p : patchOf(kCan, 2400, -0.1, 0.1, random)) {
+    if (p.normal.dot(Vec3(0, 0, -1)) > std::cos(30.0 * kDegree)) strip.push_back(p);
+  }
+  const Samples samples = noisy(strip, 13);
+  Params params;
+  params.max_radius = 0.04;
+  Hypothesis hypothesis = test::hypothesisOf(kCan, samples);
+  Refusals refusals;
+  ASSERT_TRUE(bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rulesOf(params), hypothesis,
+                          &refusals));
+  EXPECT_EQ(kindOf(hypothesis.shape), Kind::plane);
+  EXPECT_GE(refusals[Refusal::limits], 1u);
+}
+
 TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   // A cone of 3 deg over a short length is a cylinder but for a millimetre.
   Params params;
@@ -287,14 +305,22 @@ TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   const double middle = 0.05 / std::tan(slight);
   const Samples nearly = noisy(patchOf(cone, 300, middle - 0.02, middle + 0.02, random), 11);
   const Samples can = samplesOfCan(), ball = noisy(patchOf(kBall, 300, random), 12);
-  const auto rivalOf = [&params](const Shape& shape, const Samples& samples) {
-    return bestRival(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rulesOf(params),
+  ProposalRules rules = rulesOf(params);
+  const auto rivalOf = [&rules](const Shape& shape, const Samples& samples) {
+    return bestRival(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rules,
                      test::hypothesisOf(shape, samples));
   };
   ASSERT_TRUE(rivalOf(cone, nearly).kind);
   EXPECT_EQ(*rivalOf(cone, nearly).kind, Kind::cylinder);
   EXPECT_FALSE(rivalOf(kBall, ball).kind);
   EXPECT_GT(rivalOf(kBall, ball).lead, 0.2);
+  // In depth frames all kinds are fitted, also those that come to little: what they explain is taken off.
+  const double among_promising = rivalOf(kBall, ball).lead;
+  rules.noise.depth_share = 1e-4;
+  EXPECT_FALSE(rivalOf(kBall, ball).kind);
+  EXPECT_GT(rivalOf(kBall, ball).lead, 0.2);
+  EXPECT_LT(rivalOf(kBall, ball).lead, among_promising - 0.05);
+  rules.noise.depth_share = 0.0;
   // A cylinder on it has the cone for a rival; its lead is over the plane and the sphere, which are far behind.
   const Cylinder touching = {Vec3(0, 0, 1), Vec3(0, 1, 0), 0.05};
   EXPECT_EQ(rivalOf(touching, nearly).kind, Kind::cone);
