@@ -24,7 +24,7 @@ def reliability(lines, folder):
         some = [one for one in bins if one.count]
         top.plot([one.confidence for one in some], [one.right for one in some], "o-", color="#0b62b8",
                  label="share that is right")
-        top.set_title("%s: expected calibration error %.3f" % (name, trust.calibration_error(bins)))
+        top.set_title("%s:\nexpected calibration error %.3f" % (name, trust.calibration_error(bins)))
         top.set_ylim(-0.03, 1.03)
         bottom.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)], [one.count for one in bins],
                    0.9 / trust.BINS, color="#a9a9a9")
@@ -45,6 +45,7 @@ def normalised_errors(lines, folder):
         return None
     figure, axes = figures.panels(1, len(chosen), 4.2, sharey=True)
     width = 0.16
+    all_values = [value for errors in chosen.values() for value, _ in errors.values() if value]
     for one, (name, errors) in zip(axes[0], chosen.items()):
         one.axhspan(*trust.CALIBRATED, color="#dff0df")
         one.axhline(1.0, color="#222222", linewidth=1, linestyle=":")
@@ -56,8 +57,8 @@ def normalised_errors(lines, folder):
         counts = [max(errors[kind, part][1] for part in trust.PARTS) for kind in KINDS]
         one.set_xticks(range(len(KINDS)), ["%ss\n%d" % pair for pair in zip(KINDS, counts)])
         one.set_yscale("log")
-        low, high = one.get_ylim()
-        one.set_ylim(min(low, 0.3), max(high, 3.3))  # at least a decade, or nearly equal values look far apart
+        # At least a decade, or nearly equal values look far apart.
+        one.set_ylim(min(0.8 * min(all_values), 0.3), max(1.2 * max(all_values), 3.3))
         figures.plain_log(one.yaxis, short=True)
         one.grid(False, axis="x")
         one.set_title(name)

@@ -71,6 +71,13 @@ def test_depth_frames_stand_apart():
         "scenes: expected calibration error 0.100", "depth frames: expected calibration error 0.900"]
 
 
+def test_frames_that_were_shuffled_stand_apart():
+    lines = [line(set="tabletop", shuffle=shuffle, detections=[found(0.9, "right", total=[error, 4])])
+             for shuffle, error in ((False, 4.0), (True, 40.0))]
+    values = {name: trust.normalised_error(some, "sphere", "total") for name, some in trust.groups(lines).items()}
+    assert values == {"depth frames": (1.0, 1), "shuffled frames": (10.0, 1)}
+
+
 def test_plots_are_drawn_of_what_there_is_and_of_nothing_none():
     with tempfile.TemporaryDirectory() as folder:
         nothing = [line(detections=[{"kind": "plane", "verdict": "right"}])]
