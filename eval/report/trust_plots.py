@@ -45,7 +45,9 @@ def normalised_errors(lines, folder):
         return None
     figure, axes = figures.panels(1, len(chosen), 4.2, sharey=True)
     width = 0.16
-    all_values = [value for errors in chosen.values() for value, _ in errors.values() if value]
+    # At least a decade, or nearly equal values look far apart.
+    values = [value for errors in chosen.values() for value, _ in errors.values() if value]
+    lowest, highest = min([0.3] + [0.8 * value for value in values]), max([3.3] + [1.2 * value for value in values])
     for one, (name, errors) in zip(axes[0], chosen.items()):
         one.axhspan(*trust.CALIBRATED, color="#dff0df")
         one.axhline(1.0, color="#222222", linewidth=1, linestyle=":")
@@ -57,8 +59,7 @@ def normalised_errors(lines, folder):
         counts = [max(errors[kind, part][1] for part in trust.PARTS) for kind in KINDS]
         one.set_xticks(range(len(KINDS)), ["%ss\n%d" % pair for pair in zip(KINDS, counts)])
         one.set_yscale("log")
-        # At least a decade, or nearly equal values look far apart.
-        one.set_ylim(min(0.8 * min(all_values), 0.3), max(1.2 * max(all_values), 3.3))
+        one.set_ylim(lowest, highest)
         figures.plain_log(one.yaxis, short=True)
         one.grid(False, axis="x")
         one.set_title(name)

@@ -21,15 +21,6 @@ bool usable(const Cone& cone) {
   return cone.apex.allFinite() && cone.axis.allFinite() && 0.0 < cone.half_angle && cone.half_angle < M_PI / 2.0;
 }
 
-template <class T>
-constexpr Kind kKindOf = Kind::cone;
-template <>
-constexpr Kind kKindOf<Plane> = Kind::plane;
-template <>
-constexpr Kind kKindOf<Sphere> = Kind::sphere;
-template <>
-constexpr Kind kKindOf<Cylinder> = Kind::cylinder;
-
 /// Directions across what the shape points along; a sphere has none.
 Turn turnOf(const Plane& plane) { return Turn(plane.normal); }
 Turn turnOf(const Sphere&) { return Turn(Vec3::UnitZ()); }
@@ -69,12 +60,13 @@ bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, do
 
 template <class T>
 std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules) {
+  const int parameters = parameterCount(kindOf(shape));
   kernels::NormalEquations equations = {};
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
                                      points.view(), scale, equations);
-    const Gradient step = lengthOf(equations) * solve(parameterCount(kKindOf<T>), equations);
+    const Gradient step = lengthOf(equations) * solve(parameters, equations);
     shape = steppedBeside(points.middle(), shape, step);
     if (!usable(shape)) return std::nullopt;
     if (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step)) break;
