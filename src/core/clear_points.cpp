@@ -172,7 +172,7 @@ ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const 
       detections_(detections),
       labels_(labels),
       noise_(noise),
-      depth_image_(cloud.organized() && noise.depth_share > 0.0),
+      depth_image_(cloud.organized() && noise.ofDepthCamera()),
       has_far_side_(std::move(has_far_side)) {
   if (depth_image_) return;
   for (const Detection& detection : detections) {

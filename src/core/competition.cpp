@@ -31,7 +31,7 @@ bool enabled(Kind kind, const Params& params) {
 bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
   constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
   const Cylinder* tube = std::get_if<Cylinder>(&shape);
-  return noise.depth_share > 0.0 && tube && tube->radius < kLeastRadius * sigma;
+  return noise.ofDepthCamera() && tube && tube->radius < kLeastRadius * sigma;
 }
 
 /// Where a fit begins.
@@ -82,7 +82,7 @@ double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec
 /// two hundred falls apart and 1 % of the cones go wrong; 2.5 does neither.
 double beyond(const NoiseModel& noise) {
   constexpr double kOfDepth = 1.0, kOfOthers = 2.5;
-  return noise.depth_share > 0.0 ? kOfDepth : kOfOthers;
+  return noise.ofDepthCamera() ? kOfDepth : kOfOthers;
 }
 
 /// The plane that lies as its samples' normals say, where the one through its samples does not: those of a narrow strip
@@ -241,7 +241,7 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
   // What is left open between shapes that hardly fit tells clutter from shapes. Measured on 44 seeds: with promising
   // starts only, .12 instead of .10 false curved shapes are in a recorded frame; outside of depth frames, where clutter
   // is rare, .4 % more of the cylinders are found.
-  const Tried tried = rules.noise.depth_share > 0.0 ? Tried::all : Tried::promising;
+  const Tried tried = rules.noise.ofDepthCamera() ? Tried::all : Tried::promising;
   Fits(samples, held, set, rules, compare).from({hypothesis.shape, hypothesis.concave}, tried);
   const auto inliers = static_cast<double>(set.size());
   rival.lead = (own.score - best_to_lead) / inliers;

@@ -23,7 +23,7 @@ bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise)
   if (moments.count == 0) return false;
   const Curvature curvature = curvatureOf(moments, sigma);
   const double normal_noise = noise.angle / kNormalDeviations;
-  if (noise.depth_share <= 0.0) return curvature.turn > kLeastTurn;
+  if (!noise.ofDepthCamera()) return curvature.turn > kLeastTurn;
   const double turn = curvature.turn - normal_noise * normal_noise;
   return turn > kLeastTurnOfDepth &&
          curvature.bulge > (turn > kLargeTurn ? kLeastBulgeOfLargeTurn : kLeastBulgeOfDepth);

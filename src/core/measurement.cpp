@@ -45,7 +45,7 @@ Shape Measurement::fitted(const Shape& shape) {
   fit_points_.gather(clear_, noise_);
   const std::optional<Shape> refined = refine(start, fit_points_);
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
-  const NoiseDirection direction = noise_.depth_share > 0.0 ? NoiseDirection::along_ray : NoiseDirection::any;
+  const NoiseDirection direction = noise_.ofDepthCamera() ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape unbiased = withoutBias(fit, clear_, sigma_, direction);
   const Shape last = limits_.hold(unbiased) ? unbiased : fit;
   // A few clear points may not hold a shape where all of its points are.
@@ -70,7 +70,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
   detection.confidence *= static_cast<float>(trustInSize(detection.shape, uncertainty));
-  if (kindOf(detection.shape) == Kind::plane && noise_.depth_share > 0.0) {
+  if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
   }
   detection.covariance = uncertainty.pose;

@@ -19,9 +19,11 @@ struct NoiseModel {
   double depth_share = 0.0;  ///< above 0: a depth camera; then its axial noise, but at least this share of z
   double angle = 0.5;        ///< rad, a normal that is off by more is hardly noise, unless more of it is known
 
+  bool ofDepthCamera() const { return depth_share > 0.0; }
+
   /// One standard deviation (m) at this point.
   double at(const Vec3& point) const {
-    if (depth_share <= 0.0) return distance;
+    if (!ofDepthCamera()) return distance;
     return std::max(axialNoise(point.z()), depth_share * point.z());
   }
 };

@@ -18,7 +18,7 @@ namespace primitect {
 inline kernels::FlatTolerance flattened(const NoiseModel& noise, double deviations) {
   const auto scaled = [deviations](double value) { return static_cast<float>(deviations * value); };
   const auto nearest = static_cast<float>(kAxialNearest);
-  if (noise.depth_share <= 0.0) return {scaled(noise.distance), 0.0f, nearest, 0.0f};
+  if (!noise.ofDepthCamera()) return {scaled(noise.distance), 0.0f, nearest, 0.0f};
   return {scaled(kAxialLeast), scaled(kAxialGrowth), nearest, scaled(noise.depth_share)};
 }
 

@@ -44,9 +44,8 @@ Limits Verification::limits() const {
 ProposalRules Verification::rules() const {
   // Votes tell a shape to about a bin.
   constexpr double kMostWiden = 3.0;
-  const double typical = noise_.depth_share > 0.0 && samples_.size() > 0
-                             ? noise_.at(samples_.point(samples_.size() / 2))
-                             : noise_.distance;
+  const double typical =
+      noise_.ofDepthCamera() && samples_.size() > 0 ? noise_.at(samples_.point(samples_.size() / 2)) : noise_.distance;
   const double off = params_.radius_bin * scale_.scene_diameter;
   const double widen = std::clamp(off / (kInlierDeviations * typical), 1.0, kMostWiden);
   return {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};

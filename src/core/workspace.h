@@ -236,7 +236,7 @@ struct Detector::Workspace {
     // 4096 instead of 2048: on the paper's scenes DOD is 0.04 sigma instead of 0.05 for 7 % more time, which is not
     // worth it; in depth frames errors of half angles are 0.24 deg instead of 0.35 for 2 % more time, which is.
     constexpr std::size_t kMostPoints = 2048, kMostOfDepth = 4096;
-    const bool depth_camera = verification.noise().depth_share > 0.0;
+    const bool depth_camera = verification.noise().ofDepthCamera();
     labeling.label(result.items, tolerance, labeling.allRuns(), labels);
     List<bool> far_sides;
     if (depth_camera) far_sides = markFarSides(cloud, result.items, labels);
@@ -263,7 +263,7 @@ struct Detector::Workspace {
   /// flank of a tube leaves over, and crumbs of clutter, pass for planes: these need more, and in an image, where every
   /// sample stands for as many pixels, twice as much.
   std::size_t fewestPoints(Kind kind, const Cloud& cloud) const {
-    const bool in_image = cloud.organized() && verification.noise().depth_share > 0.0;
+    const bool in_image = cloud.organized() && verification.noise().ofDepthCamera();
     // Of the points that as many samples stand for on average.
     const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
     const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
