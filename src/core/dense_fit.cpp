@@ -13,8 +13,9 @@
 
 namespace primitect {
 
-void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
+void pointsOfLabels(const std::vector<std::uint32_t>& labels, const List<std::size_t>& most,
                     List<LabelledPoints>& points) {
+  const std::size_t count = most.size();
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
   List<LabelRun> runs;
@@ -27,7 +28,7 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count,
   List<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
   for (const LabelRun& run : runs) {
     LabelledPoints& of_label = points[run.label - 1];
-    const std::size_t step = of_label.all / most + 1;
+    const std::size_t step = of_label.all / most[run.label - 1] + 1;
     std::size_t next = run.begin + rest[run.label - 1];
     for (; next < run.end; next += step) of_label.index.push_back(static_cast<std::uint32_t>(next));
     rest[run.label - 1] = next - run.end;

@@ -20,8 +20,8 @@ struct LabelledPoints {
   std::size_t all = 0;        ///< how many carry the label
 };
 
-/// Points of the labels 1 to `count`, at most `most` of each; other labels are none.
-void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t count, std::size_t most,
+/// Points of the labels 1, 2, ..., of each at most as many as stands in `most`; other labels are none.
+void pointsOfLabels(const std::vector<std::uint32_t>& labels, const List<std::size_t>& most,
                     List<LabelledPoints>& points);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

@@ -26,7 +26,7 @@ const Effort& checked(const Effort& effort) {
 }  // namespace
 
 double leastShare(const Params& params) {
-  constexpr double kFewestSamples = 512.0;
+  constexpr double kFewestSamples = 256.0;
   return std::min(1.0, kFewestSamples / params.samples);
 }
 

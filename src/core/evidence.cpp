@@ -59,7 +59,7 @@ Features featuresOf(Kind kind, const Evidence& e) {
 constexpr std::array<Features, kKindCount> kWeights = {{
     {{-6.84, 0.91, 8.07, -8.16, -2.22, 0, 0}},     // plane
     {{-1.92, 0.425, 6.04, -21.8, -4.19, 7.1, 0}},  // sphere
-    {{-6.81, 1, 0, -5.48, -2.35, 1.71, 6.66}},     // cylinder
+    {{-4.21, 0.873, 0, -6.21, -3.34, 0, 5.84}},    // cylinder
     {{-6.53, 1.12, 4.09, -15, -6, 6, 3.74}},       // cone
 }};
 

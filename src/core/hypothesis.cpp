@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/flat.h"
+#include "core/plane_parts.h"
 
 namespace primitect {
 namespace {
@@ -53,9 +54,14 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
   double counted = 0.0;
   const Eigen::Vector3f middle = hypothesis.middle.cast<float>();
   const auto reach = static_cast<float>(hypothesis.reach);
+  // Blocks come in the order of the draws: those of the first are through when it matters.
+  const auto drawnBeside = [&samples, &hypothesis](const SampleBlock& block) {
+    return samples.first_draw > 0 && block.begin >= samples.first_draw && kindOf(hypothesis.shape) == Kind::plane &&
+           isLargePlane(hypothesis.inliers, samples.first_draw);
+  };
   const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const BlockGains& gains) {
-    // Something else that only happens to lie in its continuation.
-    if (sums.counted < 0.0 && !samples.blocks.reaches(block, middle, reach)) return;
+    // Something else that only happens to lie in its continuation, or beside a large plane that later draws left out.
+    if (sums.counted < 0.0 && (!samples.blocks.reaches(block, middle, reach) || drawnBeside(block))) return;
     hypothesis.inliers += sums.inliers;
     hypothesis.gain_sum += sums.positive;
     counted += sums.counted;

@@ -45,7 +45,8 @@ using HeldGains = List<float>;
 using kernels::kWellExplained;
 
 /// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it, nor does
-/// a block of them beyond its reach that would: nothing there is the shape's. widen: times the noise, for a shape that
+/// a block of them beyond its reach that would: nothing there is the shape's; nor, against a large plane, a block of
+/// later draws, which left its own points out (plane_parts.h). widen: times the noise, for a shape that
 /// is not fitted yet.
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 

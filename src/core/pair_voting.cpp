@@ -112,8 +112,10 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
 }
 
 void PairVoting::begin(const Samples& samples, double scene_diameter) {
+  // What is verified is proposed once or twice: of a few samples, more references find the same again.
+  constexpr std::size_t kSamplesPerVerified = 3;
   samples_ = &samples;
-  references_ = std::min(samples.size(), most_references_);
+  references_ = std::min(samples.size() / (params_.verify ? kSamplesPerVerified : 1), most_references_);
   rules_ = votingRules(params_, scene_diameter);
   if (all_pairs_) rules_.most_boxes = 0;
   boxes_.enclose(samples);

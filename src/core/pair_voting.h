@@ -42,7 +42,7 @@ class PairVoting {
   /// Gets ready for references among these samples, which must stay until the last one has voted. d_s in m.
   void begin(const Samples& samples, double scene_diameter);
 
-  /// How many references there are: no more than samples.
+  /// How many references there are: no more than samples, with verify no more than a third of them.
   std::size_t references() const { return references_; }
 
   /// Sample that is the k-th reference; they are spread evenly over the samples.

@@ -20,16 +20,19 @@ struct Samples {
   List<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
   List<float> inverse_tolerance, normal_loss, farthest_turn;
-  List<std::uint32_t> index;  ///< of the point in the cloud
-  SampleBlocks blocks;        ///< made by applyNoise()
+  List<std::uint32_t> index;   ///< of the point in the cloud
+  SampleBlocks blocks;         ///< made by applyNoise()
+  std::size_t first_draw = 0;  ///< how many are of the first of several draws: later ones leave large planes out
 
   std::size_t size() const { return x.size(); }
   void clear() {
     for (List<float>* values : fields()) values->clear();
     index.clear();
     blocks.clear();
+    first_draw = 0;
   }
   void append(const Samples& more) {
+    if (index.empty()) first_draw = more.size();
     const auto add = [](auto& values, const auto& other) { values.insert(values.end(), other.begin(), other.end()); };
     add(x, more.x), add(y, more.y), add(z, more.z);
     add(nx, more.nx), add(ny, more.ny), add(nz, more.nz);

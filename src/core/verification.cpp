@@ -197,7 +197,8 @@ void Verification::refit() {
 }
 
 bool Verification::isLarge(const Segment& segment) const {
-  return isLargePlane(segment.inliers.size(), samples_.size());
+  const auto end = std::lower_bound(segment.inliers.begin(), segment.inliers.end(), samples_.first_draw);
+  return isLargePlane(static_cast<std::size_t>(end - segment.inliers.begin()), samples_.first_draw);
 }
 
 /// The normal of that large plane which this one is most parallel to: what it may stand on.

@@ -156,7 +156,7 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   std::vector<std::uint32_t> labels(10000, 0);
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = i < 9000 ? i % 2 : 2;
   List<LabelledPoints> points;
-  pointsOfLabels(labels, 3, 1000, points);
+  pointsOfLabels(labels, {1000, 1000, 1000}, points);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].all, 4500u);
   EXPECT_EQ(points[1].all, 1000u);

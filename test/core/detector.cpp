@@ -254,7 +254,7 @@ TEST(Detector, RefusesASliverForAPlaneInAnImage) {
   };
   EXPECT_EQ(planesWith(18, 14, 1.0), 1u);
   EXPECT_EQ(planesWith(40, 30, 1.0), 2u);
-  EXPECT_EQ(planesWith(26, 20, 0.5), 2u) << "of fewer samples, each stands for more pixels, and fewer are asked for";
+  EXPECT_EQ(planesWith(32, 24, 0.5), 2u) << "of fewer samples, each stands for more pixels, and fewer are asked for";
 }
 
 TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {

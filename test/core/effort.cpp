@@ -84,11 +84,23 @@ TEST(Effort, ScalesTheCloserLook) {
   EXPECT_EQ(detector.detect(cloud, {0.5, {}}).samples, 1024u + 500u);
 }
 
+TEST(Effort, OfADepthCameraIsThreeQuarters) {
+  const Cloud image = test::cameraCloud(Vec3(0.1, -0.2, 1.0).normalized(), 1.0);
+  Params params = oneDraw();
+  Detector detector(params);
+  EXPECT_EQ(detector.detect(image).samples, 1536u);
+  EXPECT_EQ(detector.detect(image, {0.5, {}}).samples, 768u);
+  EXPECT_EQ(detector.detect(largeTabletop()).samples, 2048u) << "it must not stay";
+  params.inlier_depth_share = 0.0;
+  Detector of_any_sensor(params);
+  EXPECT_EQ(of_any_sensor.detect(image).samples, 2048u);
+}
+
 TEST(Effort, LeavesEnoughSamplesToMeasureTheNoise) {
   Params params = oneDraw();
-  EXPECT_EQ(leastShare(params), 0.25);
+  EXPECT_EQ(leastShare(params), 0.125);
   Detector detector(params);
-  EXPECT_EQ(detector.detect(largeTabletop(), {1e-6, {}}).samples, 512u);
+  EXPECT_EQ(detector.detect(largeTabletop(), {1e-6, {}}).samples, 256u);
   params.samples = 64;
   EXPECT_EQ(leastShare(params), 1.0) << "few samples are not made fewer";
 }

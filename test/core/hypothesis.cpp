@@ -51,6 +51,39 @@ std::optional<double> gainOf(const Shape& shape, const SurfacePoint& p, bool con
 // Float holds points of 1 m to 1e-7, 3e-5 of the tolerance.
 constexpr double kRounding = 1e-3;
 
+/// Samples of a first draw, and of a later one.
+Samples drawn(const std::vector<SurfacePoint>& first, const std::vector<SurfacePoint>& later) {
+  Samples samples;
+  samples.append(samplesWith(kNoiseModel, first));
+  samples.append(samplesWith(kNoiseModel, later));
+  return samples;
+}
+
+/// As many points on the plane, and on one so near that they speak against it.
+std::vector<SurfacePoint> onAndBeside(int on, int beside, double noise) {
+  Random random(17);
+  const Plane near = {kPlane.point + noise * kPlane.normal, kPlane.normal};
+  return test::together(test::patchOf(kPlane, on, 0.2, random), test::patchOf(near, beside, 0.2, random));
+}
+
+TEST(Score, OfALargePlaneIsNotSpokenAgainstByDrawsThatLeftItOut) {
+  const std::vector<SurfacePoint> on = onAndBeside(300, 0, 0.0), beside = onAndBeside(0, 600, 4.0 * test::kNoise);
+  const double alone = hypothesisOf(kPlane, samplesWith(kNoiseModel, on)).score;
+  EXPECT_DOUBLE_EQ(hypothesisOf(kPlane, drawn(on, beside)).score, alone);
+  // In one draw they are as likely to be on it as beside it.
+  EXPECT_LT(hypothesisOf(kPlane, drawn(test::together(on, beside), {})).score, alone - 100.0);
+}
+
+TEST(Score, OfASmallPlaneIsSpokenAgainstByAllDraws) {
+  const std::vector<SurfacePoint> beside = onAndBeside(0, 600, 4.0 * test::kNoise);
+  std::vector<SurfacePoint> first = onAndBeside(30, 0, 0.0);
+  const double alone = hypothesisOf(kPlane, samplesWith(kNoiseModel, first)).score;
+  Random random(19);
+  // Far away: the plane has less than a tenth of the first draw.
+  first = test::together(first, test::patchOf(Plane{Vec3(0, 0, 5), Vec3(0, 0, -1)}, 600, 0.2, random));
+  EXPECT_LT(hypothesisOf(kPlane, drawn(first, beside)).score, alone - 100.0);
+}
+
 TEST(Gain, IsOneOnTheSurfaceWithItsNormal) {
   for (const auto& [shape, p] : kPoints) {
     ASSERT_TRUE(gainOf(shape, p)) << kindName(kindOf(shape));

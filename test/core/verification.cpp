@@ -324,6 +324,27 @@ TEST(Conclusion, SettlesTheShapesWithMoreSamples) {
   EXPECT_NEAR(std::get<Sphere>(ball->candidate.shape).radius, kBall.radius, 3.0 * 3.0 * kNoise / std::sqrt(1060.0));
 }
 
+TEST(Conclusion, KeepsALargePlaneThatTheCloserLookOnlySeesTheOutskirtsOf) {
+  Random random(57);
+  // Too far off, on either side, and so aslant that no plane holds them.
+  std::vector<SurfacePoint> outskirts = patchOf(kWall, 1500, 0.4, random);
+  for (SurfacePoint& p : outskirts) {
+    const double way = random.uniform(0.0, 2.0 * M_PI), aslant = 0.23;
+    p.point.z() += (random.uniform() < 0.5 ? -4.5 : 4.5) * kNoise;
+    p.normal = Vec3(std::sin(aslant) * std::cos(way), std::sin(aslant) * std::sin(way), -std::cos(aslant));
+  }
+  Frame frame;
+  frame.round(noisy(patchOf(kWall, 600, 0.4, random), random));
+  frame.conclude(measured(outskirts, kNoise, 0.0, random));
+  const auto planes = frame.of(Kind::plane);
+  const auto wall = std::find_if(planes.begin(), planes.end(), [](const Segment* plane) {
+    return std::abs(distance(plane->candidate.shape, kWall.point)) < 0.5 * kNoise;
+  });
+  ASSERT_NE(wall, planes.end());
+  EXPECT_LT((*wall)->evidence.against, 0.1f);
+  EXPECT_GT((*wall)->confidence, 0.9);
+}
+
 TEST(Confidence, OfRightShapesIsHigherThanOfAnyOnASaddle) {
   Random random(101);
   Params params;
