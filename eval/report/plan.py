@@ -12,7 +12,7 @@ FIRST_SEED = {"quick": 100, "full": 1000}
 PARTS = ("paper", "noise", "variants", "tabletop", "parts", "runtime", "samples", "pictures")
 KINDS = ("spheres", "cylinders", "cones", "planes", "mixed")
 RUNTIME_COLUMNS = ("joint", "planes", "spheres", "cylinders", "cones")  # in the paper's order
-SAMPLE_COUNTS = (640, 1280, 2560, 5120, 10240)
+SAMPLE_COUNTS = (340, 680, 1360, 2720, 5440)
 SIGMAS = (0.005, 0.01, 0.015, 0.02, 0.025)
 USUAL_ANGLE = 15.0  # deg, the paper's
 # From noise 0.02 on, the normals of the cloud are so bad that the usual angle hides what was found.
@@ -61,7 +61,7 @@ def sample_methods():
     """Ours with several numbers of samples: texts by (preset, count). Every sample of the paper is a reference."""
     texts = {}
     for count in SAMPLE_COUNTS:
-        closer = count * 8 // 5  # as many times the samples as in the preset
+        closer = count * 17 // 5  # as many times the samples as in the preset
         texts["default", count] = "default-%d=preset:default,samples=%d,closer_samples=%d" % (count, count, closer)
         texts["paper", count] = "paper-%d=preset:paper,samples=%d,references=%d" % (count, count, count)
     return texts

@@ -25,8 +25,9 @@ struct SampleView {
 /// Params::max_latency does nothing by itself: who has a clock asks a LatencyGovernor for the effort.
 struct Effort {
   /// Of samples, references and closer_samples, (0, 1]; what is less than leastShare() counts as that. With verify
-  /// min_inliers goes down with them, to no less than 12: the same surface gets fewer samples. min_votes stays. All of
-  /// it means three quarters of these numbers where a depth camera took the cloud and shapes are verified.
+  /// min_inliers goes down with them, to no less than 12: the same surface gets fewer samples. min_votes stays.
+  /// Where a depth camera took the cloud, and shapes are verified with its noise, three quarters of these numbers are
+  /// all of it.
   double share = 1.0;
   /// Asked before each round but the first and before the closer look, until it says true: then what is left of the
   /// search is skipped, and what was found so far is verified and measured. Empty: there is time for everything.

@@ -52,16 +52,18 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
   hypothesis.inliers = 0;
   hypothesis.gain_sum = 0.0;
   double counted = 0.0;
+  std::size_t of_first_draw = 0;  // inliers
   const Eigen::Vector3f middle = hypothesis.middle.cast<float>();
   const auto reach = static_cast<float>(hypothesis.reach);
-  // Blocks come in the order of the draws: those of the first are through when it matters.
-  const auto drawnBeside = [&samples, &hypothesis](const SampleBlock& block) {
-    return samples.first_draw > 0 && block.begin >= samples.first_draw && kindOf(hypothesis.shape) == Kind::plane &&
-           isLargePlane(hypothesis.inliers, samples.first_draw);
+  const bool several_draws = samples.first_draw > 0 && kindOf(hypothesis.shape) == Kind::plane;
+  // Blocks come in the order of the draws: those of the first are through by then.
+  const auto drawnBeside = [&](const SampleBlock& block) {
+    return several_draws && block.begin >= samples.first_draw && isLargePlane(of_first_draw, samples.first_draw);
   };
   const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const BlockGains& gains) {
     // Something else that only happens to lie in its continuation, or beside a large plane that later draws left out.
     if (sums.counted < 0.0 && (!samples.blocks.reaches(block, middle, reach) || drawnBeside(block))) return;
+    if (block.begin < samples.first_draw) of_first_draw += sums.inliers;
     hypothesis.inliers += sums.inliers;
     hypothesis.gain_sum += sums.positive;
     counted += sums.counted;

@@ -45,9 +45,9 @@ using HeldGains = List<float>;
 using kernels::kWellExplained;
 
 /// Fills score, gain_sum and inliers from the shape. Samples that others explain well do not speak against it, nor does
-/// a block of them beyond its reach that would: nothing there is the shape's; nor, against a large plane, a block of
-/// later draws, which left its own points out (plane_parts.h). widen: times the noise, for a shape that
-/// is not fitted yet.
+/// a block of them beyond its reach that would: nothing there is the shape's; nor does, against a plane
+/// that is large in the first draw (plane_parts.h), a block of later ones: these left out what it explains. widen:
+/// times the noise, for a shape that is not fitted yet.
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 
 /// Fills support and blocks, too.

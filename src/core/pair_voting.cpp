@@ -112,7 +112,7 @@ std::optional<Candidate> PairVoting::strongest(const kernels::Reference& referen
 }
 
 void PairVoting::begin(const Samples& samples, double scene_diameter) {
-  // What is verified is proposed once or twice: of a few samples, more references find the same again.
+  // A shape that is verified needs one good candidate, not the votes of all: every third sample proposes enough.
   constexpr std::size_t kSamplesPerVerified = 3;
   samples_ = &samples;
   references_ = std::min(samples.size() / (params_.verify ? kSamplesPerVerified : 1), most_references_);

@@ -13,7 +13,7 @@
 
 namespace primitect {
 
-/// Share of all samples from which on a plane is taken for what things stand on.
+/// Share of the first draw's samples from which on a plane is taken for what things stand on.
 constexpr double kLargePlane = 0.1;
 
 inline bool isLargePlane(std::size_t inliers, std::size_t samples) {

@@ -20,9 +20,10 @@ struct Samples {
   List<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
   List<float> inverse_tolerance, normal_loss, farthest_turn;
-  List<std::uint32_t> index;   ///< of the point in the cloud
-  SampleBlocks blocks;         ///< made by applyNoise()
-  std::size_t first_draw = 0;  ///< how many are of the first of several draws: later ones leave large planes out
+  List<std::uint32_t> index;  ///< of the point in the cloud
+  SampleBlocks blocks;        ///< made by applyNoise()
+  std::size_t first_draw =
+      0;  ///< how many are of the first of several draws: later ones leave large planes out; 0: one draw
 
   std::size_t size() const { return x.size(); }
   void clear() {

@@ -196,9 +196,10 @@ void Verification::refit() {
   }
 }
 
-bool Verification::isLarge(const Segment& segment) const {
+bool Verification::isLargePlane(const Segment& segment) const {
+  if (kindOf(segment.candidate.shape) != Kind::plane) return false;
   const auto end = std::lower_bound(segment.inliers.begin(), segment.inliers.end(), samples_.first_draw);
-  return isLargePlane(static_cast<std::size_t>(end - segment.inliers.begin()), samples_.first_draw);
+  return primitect::isLargePlane(static_cast<std::size_t>(end - segment.inliers.begin()), samples_.first_draw);
 }
 
 /// The normal of that large plane which this one is most parallel to: what it may stand on.
@@ -206,7 +207,7 @@ std::optional<Vec3> Verification::levelOf(const Segment& plane) const {
   std::optional<Vec3> level;
   const Vec3 normal = std::get<Plane>(plane.candidate.shape).normal;
   for (const Segment& segment : segments_) {
-    if (kindOf(segment.candidate.shape) != Kind::plane || !isLarge(segment)) continue;
+    if (!isLargePlane(segment)) continue;
     const Vec3& other = std::get<Plane>(segment.candidate.shape).normal;
     if (!level || std::abs(normal.dot(other)) > std::abs(normal.dot(*level))) level = other;
   }
@@ -225,7 +226,7 @@ bool Verification::separate() {
 
 bool Verification::separate(const Segment& segment, const HeldGains& held) {
   // In parts, what things stand on is one plane all the same.
-  if (isLarge(segment)) return false;
+  if (isLargePlane(segment)) return false;
   const SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
   const SampleParts groups = coplanarGroups(samples_, parts, levelOf(segment));
   if (groups.size() < 2) return false;

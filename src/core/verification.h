@@ -61,6 +61,8 @@ class Verification {
   /// What was selected, with the samples of each; every sample belongs to one at most.
   const List<Segment>& segments() const { return segments_; }
   const Refusals& refusals() const { return refusals_; }
+  /// What things stand on: a plane with so much of the first draw, which was from all points (plane_parts.h).
+  bool isLargePlane(const Segment& segment) const;
   Limits limits() const;
 
  private:
@@ -71,7 +73,6 @@ class Verification {
   void join(const Hypothesis& version, std::uint32_t origin);
   void split(const Segment& segment, const HeldGains& held);
   void settle();
-  bool isLarge(const Segment& segment) const;
   std::optional<Vec3> levelOf(const Segment& plane) const;
   bool separate();
   bool separate(const Segment& segment, const HeldGains& held);

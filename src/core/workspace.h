@@ -38,6 +38,8 @@ inline Status statusOf(const Cloud& cloud) {
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;
 }
 
+inline bool isDescribed(const Segment& segment) { return !segment.inliers.empty(); }
+
 /// last: nothing will be measured on the points of the cloud. outline: whose memory its own is to have.
 inline Detection describe(const Segment& segment, const Samples& samples, bool last, std::vector<Vec3> outline) {
   SeenPoints inliers;
@@ -53,10 +55,6 @@ inline Detection describe(const Segment& segment, const Samples& samples, bool l
   detection.evidence = segment.evidence;
   detection.rival = segment.rival;
   return detection;
-}
-
-inline bool isLargePlane(const Detection& item, std::size_t samples) {
-  return kindOf(item.shape) == Kind::plane && isLargePlane(item.inlier_count, samples);
 }
 
 /// What a detector keeps between frames so that it need not be allocated anew.
@@ -110,7 +108,7 @@ struct Detector::Workspace {
   /// more of what is found is right, .5 % less is found, in a fifth less time.
   std::size_t atThisEffort(int count) const {
     constexpr double kOfDepthCameras = 0.75;
-    const double share = std::max(effort->share, leastShare(params)) * (depth_camera ? kOfDepthCameras : 1.0);
+    const double share = std::max(effort->share * (depth_camera ? kOfDepthCameras : 1.0), leastShare(params));
     return static_cast<std::size_t>(std::ceil(share * count));
   }
 
@@ -211,8 +209,11 @@ struct Detector::Workspace {
 
   /// More samples where the shapes are, without the points of large planes: these need no closer look.
   void lookCloser(const Cloud& cloud) {
-    const auto large = [this](std::size_t k) { return isLargePlane(result.items[k], verification.samples().size()); };
-    spare_outlines.keep(result.items, large);
+    List<bool> large;
+    for (const Segment& segment : verification.segments()) {
+      if (isDescribed(segment)) large.push_back(verification.isLargePlane(segment));
+    }
+    spare_outlines.keep(result.items, [&large](std::size_t k) { return large[k]; });
     draw(cloud, result.items, params.closer_samples, params.rounds);
     done("sample");
     estimateNormals(cloud, params, normal_source, samples);
@@ -243,7 +244,8 @@ struct Detector::Workspace {
     if (depth_camera) far_sides = markFarSides(cloud, result.items, labels);
     pointsOfLabels(labels, mostPoints(), points);
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
+    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(),
+                            normal_source.image ? &*normal_source.image : nullptr);
     Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
     const auto enough = [&](std::size_t k) {
       return points[k].all >= fewestPoints(kindOf(result.items[k].shape), cloud);
@@ -261,8 +263,8 @@ struct Detector::Workspace {
   }
 
   /// How many points the measures of each detection are taken from. 4096 instead of 2048: on the paper's scenes DOD is
-  /// 0.04 sigma instead of 0.05 for 7 % more time, which is not worth it; in depth frames errors of half angles are
-  /// 0.24 deg instead of 0.35 for 2 % more time, which is.
+  /// 0.04 sigma instead of 0.05 for 7 % more time, and planes of depth frames take 3 % of the frame's time more for
+  /// nothing; but errors of half angles in depth frames are 0.24 deg instead of 0.35 for 2 %.
   List<std::size_t> mostPoints() const {
     constexpr std::size_t kMost = 2048, kMostOfCurvedInDepth = 4096;
     List<std::size_t> most;
@@ -279,14 +281,18 @@ struct Detector::Workspace {
     const bool in_image = cloud.organized() && verification.noise().ofDepthCamera();
     // Of the points that as many samples stand for on average.
     const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
-    const double each = static_cast<double>(result.points_used) / std::max(result.samples, 1u);
+    // Without the closer look each of the few samples stands for no more than it would with it.
+    const std::size_t meant = atThisEffort(params.rounds * params.samples + params.closer_samples);
+    const std::size_t samples = out_of_time ? meant : result.samples;
+    const double each =
+        static_cast<double>(result.points_used) / static_cast<double>(std::max<std::size_t>(samples, 1));
     return static_cast<std::size_t>(inliersAtThisEffort() * std::max(1.0, least_share * each));
   }
 
   void describeSegments(const List<Segment>& described, const Samples& of) {
     spare_outlines.shorten(result.items, 0);
     for (const Segment& segment : described) {
-      if (segment.inliers.empty()) continue;
+      if (!isDescribed(segment)) continue;
       auto outline = spare_outlines.take(kindOf(segment.candidate.shape));
       result.items.push_back(describe(segment, of, !params.verify, std::move(outline)));
     }
@@ -298,7 +304,7 @@ struct Detector::Workspace {
   std::function<void(const char*)> stage_done;
   const Effort* effort = nullptr;  ///< only while a frame runs
   bool out_of_time = false;        ///< in this frame
-  bool depth_camera = false;       ///< took this frame: its noise is known, and grows with depth
+  bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
   PairVoting voting;
   Verification verification;
   Search search;

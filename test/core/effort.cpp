@@ -91,6 +91,11 @@ TEST(Effort, OfADepthCameraIsThreeQuarters) {
   EXPECT_EQ(detector.detect(image).samples, 1536u);
   EXPECT_EQ(detector.detect(image, {0.5, {}}).samples, 768u);
   EXPECT_EQ(detector.detect(largeTabletop()).samples, 2048u) << "it must not stay";
+  EXPECT_EQ(detector.detect(image, {1e-6, {}}).samples, 256u) << "the least is of all sensors";
+  params.verify = false;
+  Detector by_votes(params);
+  EXPECT_EQ(by_votes.detect(image).samples, 2048u);
+  params.verify = true;
   params.inlier_depth_share = 0.0;
   Detector of_any_sensor(params);
   EXPECT_EQ(of_any_sensor.detect(image).samples, 2048u);

@@ -155,6 +155,20 @@ TEST(AxisThroughTheReference, GivesNoConeAndNoNan) {
   }
 }
 
+TEST(PairVoting, TakesAThirdOfTheSamplesForReferencesWhereShapesAreVerified) {
+  Random random(31);
+  const Samples samples = test::samplesOf(patchOf(Sphere{Vec3(0.0, 0.0, 1.0), 0.1}, 900, random));
+  Params params;
+  params.references = 512;
+  PairVoting verified(params);
+  verified.begin(samples, 1.0);
+  EXPECT_EQ(verified.references(), 300u);
+  params.verify = false;
+  PairVoting by_votes(params);
+  by_votes.begin(samples, 1.0);
+  EXPECT_EQ(by_votes.references(), 512u);
+}
+
 TEST(PairVoting, NeedsMoreThanMinVotes) {
   Random random(27);
   const Sphere sphere = {Vec3(0.0, 0.0, 1.0), 0.1};

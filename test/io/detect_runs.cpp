@@ -121,8 +121,8 @@ TEST_F(DetectRuns, UseFewerSamplesWhenTheyTakeLongerThanMaxLatency) {
   const Json all = runOrdered(ball + kTwoRounds);
   EXPECT_FALSE(all.contains("effort"));
   const Json bound = runOrdered(ball + kTwoRounds + " --max_latency 1e-6 --repeat 10");  // no machine is so fast
-  EXPECT_EQ(bound["effort"], 0.25);                                                      // the least
-  EXPECT_EQ(bound["samples"], 512);                                                      // of one round
+  EXPECT_EQ(bound["effort"], 0.125);                                                     // the least
+  EXPECT_EQ(bound["samples"], 256);                                                      // of one round
   EXPECT_TRUE(bound["primitives"].is_array());
   EXPECT_EQ(run(ball + kTwoRounds + " --max_latency 1e-6 --repeat 10"), 0);
   EXPECT_NE(out.find("samples (max_latency leaves "), std::string::npos) << out;
