@@ -34,7 +34,7 @@ struct Effort {
   std::function<bool()> out_of_time;
 };
 
-/// The share that leaves 256 samples in a draw: fewer are too few to measure the noise.
+/// The least share of the effort: it leaves 256 samples in a draw.
 double leastShare(const Params& params);
 
 /// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit.

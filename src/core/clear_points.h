@@ -34,9 +34,9 @@ class ClearPoints {
               const ProjectedImage* projected);
 
   /// Those of a detection's points (indices in the cloud)
-  ///   depth camera         in its image, which an unorganized cloud gets back (projected_image.h), with no other label
-  ///   on a ring of eight pixels, as far away as the noise reaches, and not
-  ///                        on the rim of a wall whose inside is seen, too
+  ///   depth camera         with no other label on a ring of eight pixels of its image, as far away as the noise
+  ///                        reaches, and not on the rim of a wall whose inside is seen, too; an unorganized cloud
+  ///                        gets its image back (projected_image.h)
   ///   any other cloud      whose place on the surface is far from all other detections, beyond the noise,
   ///                        and whose own normal, if it has one, is about the surface's
   /// all of them where too few would be left.
