@@ -22,8 +22,8 @@ struct Samples {
   List<float> inverse_tolerance, normal_loss, farthest_turn;
   List<std::uint32_t> index;  ///< of the point in the cloud
   SampleBlocks blocks;        ///< made by applyNoise()
-  std::size_t first_draw =
-      0;  ///< how many are of the first of several draws: later ones leave large planes out; 0: one draw
+  /// How many are of the first of several draws: later ones leave large planes out. 0: there is only one.
+  std::size_t first_draw = 0;
 
   std::size_t size() const { return x.size(); }
   void clear() {

@@ -159,12 +159,15 @@ TEST(Confidence, RisesWithTheLeadOverOtherKinds) {
   }
 }
 
-// Of a cylinder its lead tells as much.
 TEST(Confidence, RisesWithTheTurnOfTheNormals) {
-  for (const Kind kind : {Kind::sphere, Kind::cone}) {
-    Evidence more = usualEvidence(kind);
+  for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+    const Evidence usual = usualEvidence(kind);
+    Evidence more = usual;
     more.turn *= 1.5f;
-    EXPECT_GT(confidenceOf(kind, more), confidenceOf(kind, usualEvidence(kind))) << kindName(kind);
+    // Of a cylinder its lead tells as much.
+    EXPECT_GE(confidenceOf(kind, more), confidenceOf(kind, usual)) << kindName(kind);
+    if (kind == Kind::cylinder) continue;
+    EXPECT_GT(confidenceOf(kind, more), confidenceOf(kind, usual)) << kindName(kind);
   }
 }
 

@@ -345,6 +345,22 @@ TEST(Conclusion, KeepsALargePlaneThatTheCloserLookOnlySeesTheOutskirtsOf) {
   EXPECT_GT((*wall)->confidence, 0.9);
 }
 
+TEST(Verification, CallsPlanesLargeByTheFirstDrawAlone) {
+  Random random(59);
+  const Vec3 lid = {0.3, 0.3, 1.1};
+  Frame frame;
+  frame.round(noisy(together(patchOf(kWall, 600, 0.4, random), plate(lid, 0.1, 0.05, 50, random)), random));
+  // Of all samples, the wall has less than a tenth and the lid most.
+  frame.conclude(noisy(plate(lid, 0.1, 0.05, 6000, random), random));
+  const auto planes = frame.of(Kind::plane);
+  ASSERT_EQ(planes.size(), 2u);
+  for (const Segment* plane : planes) {
+    const bool is_wall = std::abs(distance(plane->candidate.shape, kWall.point)) < kNoise;
+    EXPECT_EQ(plane->inliers.size() < 1000, is_wall);
+    EXPECT_EQ(frame.verification().isLargePlane(*plane), is_wall);
+  }
+}
+
 TEST(Confidence, OfRightShapesIsHigherThanOfAnyOnASaddle) {
   Random random(101);
   Params params;
