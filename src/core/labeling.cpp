@@ -29,8 +29,15 @@ struct LastRun {
 
 void Labeling::begin(const Cloud& cloud) {
   cloud_ = &cloud;
-  findRuns(cloud, all_);
-  chooseRuns(cloud, all_, some_);
+  findSomeRuns(cloud, some_);
+  has_all_ = false;
+}
+
+const PointRuns& Labeling::allRuns() {
+  if (some_.size() * kRun >= cloud_->size()) return some_;
+  if (!has_all_) findRuns(*cloud_, all_);
+  has_all_ = true;
+  return all_;
 }
 
 /// The most that a point of a run may be away: what is allowed has no maximum between two depths.

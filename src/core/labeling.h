@@ -23,9 +23,9 @@ class Labeling {
   /// Looks where the points are; the cloud must stay until the next one.
   void begin(const Cloud& cloud);
 
-  /// Of this cloud; see point_runs.h.
-  const PointRuns& allRuns() const { return all_; }
+  /// Of this cloud; see point_runs.h. All of a large one are looked at when they are asked for.
   const PointRuns& someRuns() const { return some_; }
+  const PointRuns& allRuns();
 
   /// Labels every point of these runs with the index + 1 of the nearest detection whose surface is within the tolerance
   /// and whose observed part, enlarged by it, holds the point; 0 = none, or missing. Takes a tenth of the time where
@@ -56,6 +56,7 @@ class Labeling {
 
   const Cloud* cloud_ = nullptr;
   PointRuns all_, some_;
+  bool has_all_ = false;
   List<float> distance_, depth_, allowed_;  ///< of the balls around some runs (m)
   List<Target> targets_;                    ///< of each detection
   List<std::uint32_t> near_, border_;       ///< bits of the targets that a run is near to, and near the border of

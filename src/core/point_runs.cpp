@@ -10,6 +10,7 @@ namespace primitect {
 namespace {
 
 constexpr std::size_t kRun = kernels::kPointsPerRun;
+constexpr std::size_t kAhead = 6;  // runs
 
 void resize(PointRuns& runs, std::size_t count) {
   runs.number.resize(count);
@@ -17,36 +18,56 @@ void resize(PointRuns& runs, std::size_t count) {
   for (List<float>* values : {&runs.x, &runs.y, &runs.z, &runs.radius}) values->resize(count);
 }
 
-}  // namespace
-
-void findRuns(const Cloud& cloud, PointRuns& all) {
-  resize(all, (cloud.size() + kRun - 1) / kRun);
-  std::iota(all.number.begin(), all.number.end(), 0u);
-  kernels::loops().balls(cloud.x.data(), cloud.y.data(), cloud.z.data(), cloud.size(), kRun,
-                         {all.x.data(), all.y.data(), all.z.data(), all.radius.data()});
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::size_t begin = k * kRun;
-    all.measured[k] = kernels::loops().measured(cloud.z.data() + begin, std::min(kRun, cloud.size() - begin));
+/// Asks for a run before it is looked at.
+void prefetch(const Cloud& cloud, std::size_t begin) {
+  constexpr std::size_t kLine = 64 / sizeof(float);
+  for (const std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) {
+    for (std::size_t k = 0; k < kRun; k += kLine) __builtin_prefetch(values->data() + begin + k);
   }
 }
 
-void chooseRuns(const Cloud& cloud, const PointRuns& all, PointRuns& some) {
+std::size_t runsOf(const Cloud& cloud) { return (cloud.size() + kRun - 1) / kRun; }
+
+/// Looks at runs that follow each other in the cloud: `count` of them from its point `begin` on, the k-th and next ones
+/// of these runs.
+void look(const Cloud& cloud, std::size_t begin, std::size_t count, std::size_t k, PointRuns& runs) {
+  const std::size_t end = std::min(cloud.size(), begin + count * kRun);
+  kernels::loops().balls(cloud.x.data() + begin, cloud.y.data() + begin, cloud.z.data() + begin, end - begin, kRun,
+                         {runs.x.data() + k, runs.y.data() + k, runs.z.data() + k, runs.radius.data() + k});
+  for (; begin < end; begin += kRun) {
+    runs.measured[k++] = kernels::loops().measured(cloud.z.data() + begin, std::min(kRun, end - begin));
+  }
+}
+
+}  // namespace
+
+void findRuns(const Cloud& cloud, PointRuns& all) {
+  resize(all, runsOf(cloud));
+  std::iota(all.number.begin(), all.number.end(), 0u);
+  look(cloud, 0, all.size(), 0, all);
+}
+
+void findSomeRuns(const Cloud& cloud, PointRuns& some) {
   // Fewer would part what is small: at 1280 x 720 every third run is left, at 640 x 480 all of them are.
   constexpr std::size_t kEnough = 262144, kLargestStep = 16;
   const std::size_t step = std::clamp<std::size_t>(cloud.valid_count / kEnough, 1, kLargestStep);
-  resize(some, all.size());
+  if (step == 1) return findRuns(cloud, some);
+  const std::size_t all = runsOf(cloud);
+  resize(some, all);
   std::size_t count = 0;
-  for (std::size_t first = 0; first < all.size(); first += step) {
+  for (std::size_t first = 0; first < all; first += step) {
     // A fixed place in the group would be the same columns of every row where the step divides the runs of a row.
     // Multiplicative hash (Knuth, TAOCP 3, 6.4).
     const std::size_t run = first + (static_cast<std::uint32_t>(first) * 2654435761u >> 16) % step;
-    if (run >= all.size()) continue;
-    some.number[count] = all.number[run];
-    some.x[count] = all.x[run], some.y[count] = all.y[run], some.z[count] = all.z[run];
-    some.measured[count] = all.measured[run];
-    some.radius[count++] = all.radius[run];
+    if (run >= all) continue;
+    some.number[count++] = static_cast<std::uint32_t>(run);
   }
   resize(some, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    // No stride that a processor would foresee. Without this 1280 x 720 takes 0.6 ms more.
+    if (k + kAhead < count) prefetch(cloud, some.number[k + kAhead] * kRun);
+    look(cloud, some.number[k] * kRun, 1, k, some);
+  }
 }
 
 }  // namespace primitect

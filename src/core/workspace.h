@@ -25,6 +25,7 @@
 #include "core/search.h"
 #include "core/segmentation.h"
 #include "core/spare_outlines.h"
+#include "core/thinned_cloud.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
 
@@ -237,18 +238,36 @@ struct Detector::Workspace {
     search.run(voters, result.scene_diameter, [&rest](std::uint32_t voter) { return rest[voter]; });
   }
 
-  /// The final numbers come from the points of the cloud.
-  void measureOnCloud(const Cloud& cloud) {
-    labeling.label(result.items, tolerance, labeling.allRuns(), labels);
-    List<bool> far_sides;
-    if (depth_camera) far_sides = markFarSides(cloud, result.items, labels);
+  /// What the measures are taken from: the cloud, or where it is large a part of it. A cloud that got its image back
+  /// stays whole: so is the image.
+  void thin(const Cloud& whole) {
+    normal_source.image ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
+    if (thinned.thinned()) labeling_of_thinned.begin(thinned.cloud());
+  }
+
+  void findPoints(Labeling& of_cloud) {
+    of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
+    far_sides.clear();
+    if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, labels);
     pointsOfLabels(labels, mostPoints(), points);
+    for (LabelledPoints& of_item : points) {
+      of_item.all = static_cast<std::size_t>(std::llround(thinned.each() * static_cast<double>(of_item.all)));
+    }
+  }
+
+  /// The final numbers come from the points of the cloud.
+  void measureOnCloud(const Cloud& whole) {
+    thin(whole);
+    findPoints(thinned.thinned() ? labeling_of_thinned : labeling);
+    const Cloud& cloud = thinned.cloud();
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(),
                             normal_source.image ? &*normal_source.image : nullptr);
-    Measurement measurement(cloud, raysOf(cloud, normal_source), params, verification.noise(), verification.limits());
+    const ImageRays rays = everySoMany(thinned.step(), raysOf(whole, normal_source));
+    Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
     const auto enough = [&](std::size_t k) {
-      return points[k].all >= fewestPoints(kindOf(result.items[k].shape), cloud);
+      return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole) &&
+             points[k].index.size() >= static_cast<std::size_t>(inliersAtThisEffort());
     };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -315,9 +334,12 @@ struct Detector::Workspace {
   List<Segment> segments;      ///< by votes alone
   Labeling labeling;
   List<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
-  std::vector<std::uint32_t> labels;
-  List<LabelledPoints> points;  ///< of the detections
-  NormalSource normal_source;   ///< of this frame
+  ThinnedCloud thinned;
+  Labeling labeling_of_thinned;
+  std::vector<std::uint32_t> labels;  ///< of the points of the thinned cloud
+  List<bool> far_sides;               ///< which detections have points there
+  List<LabelledPoints> points;        ///< of the detections
+  NormalSource normal_source;         ///< of this frame
   SpareOutlines spare_outlines;
   Detections result;
 };

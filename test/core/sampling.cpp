@@ -116,7 +116,7 @@ struct ChosenRuns {
     cloud.valid_count = width * height;
     PointRuns runs, chosen;
     findRuns(cloud, runs);
-    chooseRuns(cloud, runs, chosen);
+    findSomeRuns(cloud, chosen);
     all = runs.size(), some = chosen.size();
     in_row.assign(height, 0.0), in_column.assign(width / kernels::kPointsPerRun, 0.0);
     for (const std::uint32_t run : chosen.number) {
@@ -143,7 +143,7 @@ TEST(Sampling, LeavesOutNoneOfTheRunsOfAnImageWithFewMeasuredPoints) {
   cloud.valid_count = 5000;
   PointRuns all, some;
   findRuns(cloud, all);
-  chooseRuns(cloud, all, some);
+  findSomeRuns(cloud, some);
   EXPECT_EQ(some.size(), all.size());
 }
 

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Copies the points that are left; see thinned_cloud.h.
+#include "core/thinned_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace primitect {
+namespace {
+
+constexpr std::size_t kRun = kernels::kPointsPerRun;
+
+/// Calls use(values of the whole, values of the part) for each coordinate that there is.
+template <class Use>
+void forCoordinates(const Cloud& whole, Cloud& part, const Use& use) {
+  for (const auto values : {&Cloud::x, &Cloud::y, &Cloud::z, &Cloud::nx, &Cloud::ny, &Cloud::nz}) {
+    if (!(part.*values).empty()) use(whole.*values, part.*values);
+  }
+}
+
+std::uint32_t measuredOf(const Cloud& cloud) {
+  const auto measured = [](float z) { return !std::isnan(z); };
+  return static_cast<std::uint32_t>(std::count_if(cloud.z.begin(), cloud.z.end(), measured));
+}
+
+}  // namespace
+
+void ThinnedCloud::thinImage(const Cloud& whole) {
+  const auto step = static_cast<std::uint32_t>(step_);
+  part_.prepare((whole.width + step - 1) / step, (whole.height + step - 1) / step, whole.hasNormals());
+  forCoordinates(whole, part_, [&](const std::vector<float>& from, std::vector<float>& to) {
+    float* next = to.data();
+    for (std::size_t row = 0; row < whole.height; row += step) {
+      const float* const begin = from.data() + row * whole.width;
+      for (std::size_t column = 0; column < whole.width; column += step) *next++ = begin[column];
+    }
+  });
+}
+
+void ThinnedCloud::thinRuns(const Cloud& whole, const PointRuns& some, std::size_t every) {
+  const auto endOf = [&whole](std::uint32_t run) { return std::min(whole.size(), (run + std::size_t{1}) * kRun); };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < some.size(); k += every) count += endOf(some.number[k]) - some.number[k] * kRun;
+  part_.prepare(static_cast<std::uint32_t>(count), 1, whole.hasNormals());
+  forCoordinates(whole, part_, [&](const std::vector<float>& from, std::vector<float>& to) {
+    float* next = to.data();
+    for (std::size_t k = 0; k < some.size(); k += every) {
+      const std::uint32_t run = some.number[k];
+      next = std::copy(from.data() + run * kRun, from.data() + endOf(run), next);
+    }
+  });
+}
+
+void ThinnedCloud::keep(const Cloud& cloud) {
+  cloud_ = &cloud;
+  step_ = 1;
+  each_ = 1.0;
+}
+
+/// Copies what is left; returns how many points of the whole there are to one of these, if none were missing.
+double ThinnedCloud::copy(const Cloud& whole, const PointRuns& some) {
+  constexpr double kFewestPixels = 640.0 * 360.0;
+  if (whole.organized()) {
+    step_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(whole.size()) / kFewestPixels)));
+    if (step_ > 1) thinImage(whole);
+    return static_cast<double>(step_) * step_;
+  }
+  // The paper's scenes have 160,000 points: these stay whole.
+  constexpr std::size_t kFewestPoints = 131072;
+  const std::size_t every = std::max<std::size_t>(1, some.size() * kRun / kFewestPoints);
+  const std::size_t runs = (whole.size() + kRun - 1) / kRun, left = (some.size() + every - 1) / every;
+  if (left == 0 || left == runs) return 1.0;
+  thinRuns(whole, some, every);
+  return static_cast<double>(runs) / static_cast<double>(left);
+}
+
+void ThinnedCloud::begin(const Cloud& cloud, const PointRuns& some) {
+  constexpr double kPattern = 2.0;
+  keep(cloud);
+  const double expected = copy(cloud, some);
+  if (expected == 1.0) return;
+  part_.valid_count = measuredOf(part_);
+  if (static_cast<double>(cloud.valid_count) > kPattern * expected * part_.valid_count) return keep(cloud);
+  cloud_ = &part_;
+  each_ = static_cast<double>(cloud.valid_count) / static_cast<double>(part_.valid_count);
+}
+
+}  // namespace primitect

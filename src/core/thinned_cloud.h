@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What shapes are measured on: of a large cloud a part that says as much.
+#pragma once
+
+#include <cstddef>
+
+#include "core/point_runs.h"
+#include "primitect/cloud.h"
+
+namespace primitect {
+
+/// Of one frame after the other; its buffers are kept.
+class ThinnedCloud {
+ public:
+  /// Of an image that has at least four times the pixels of 640 x 360 the same part of its columns and rows, so that no
+  /// fewer are left; of a cloud without order so many of these runs that
+  /// 131072 points or more are left. A small cloud stays whole, and so does one whose missing
+  /// points have a pattern that would leave it less than half of what it should. The cloud must stay until the next
+  /// one.
+  void begin(const Cloud& cloud, const PointRuns& some);
+
+  /// All of it, however large.
+  void keep(const Cloud& cloud);
+
+  bool thinned() const { return cloud_ == &part_; }
+  const Cloud& cloud() const { return *cloud_; }
+  int step() const { return step_; }  ///< of an image: every so many-th column and row is left
+  /// How many measured points of the whole cloud there are to one of these.
+  double each() const { return each_; }
+
+ private:
+  double copy(const Cloud& whole, const PointRuns& some);
+  void thinImage(const Cloud& whole);
+  void thinRuns(const Cloud& whole, const PointRuns& some, std::size_t every);
+
+  const Cloud* cloud_ = nullptr;
+  Cloud part_;
+  int step_ = 1;
+  double each_ = 1.0;
+};
+
+}  // namespace primitect
