@@ -20,6 +20,10 @@ Available availableKernels() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     available.kernels[available.count++] = &kAvx2;
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512bw")) {
+      available.kernels[available.count++] = &kAvx512;
+    }
   }
 #endif
   return available;
