@@ -35,6 +35,16 @@ Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params
       sigma_(noise),
       truncation_(cloud, rays, range_, sigma_) {}
 
+/// Without the bias of the noise; as it is where that breaks the limits, and where a depth camera sees a surface too
+/// narrow for clear points: noise along the rays takes points of its border away, which turns the fit the other way.
+/// With the bias taken out, faces 28 mm high were tilted by 3 deg instead of by 0.5.
+Shape Measurement::unbiased(const Shape& fit) const {
+  if (noise_.ofDepthCamera() && clear_.size() == points_.size()) return fit;
+  const NoiseDirection direction = noise_.ofDepthCamera() ? NoiseDirection::along_ray : NoiseDirection::any;
+  const Shape result = withoutBias(fit, clear_, sigma_, direction);
+  return limits_.hold(result) ? result : fit;
+}
+
 Shape Measurement::fitted(const Shape& shape) {
   Shape start = shape;
   if (kindOf(shape) == Kind::cylinder || kindOf(shape) == Kind::cone) {
@@ -45,9 +55,7 @@ Shape Measurement::fitted(const Shape& shape) {
   fit_points_.gather(clear_, noise_);
   const std::optional<Shape> refined = refine(start, fit_points_);
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
-  const NoiseDirection direction = noise_.ofDepthCamera() ? NoiseDirection::along_ray : NoiseDirection::any;
-  const Shape unbiased = withoutBias(fit, clear_, sigma_, direction);
-  const Shape last = limits_.hold(unbiased) ? unbiased : fit;
+  const Shape last = unbiased(fit);
   // A few clear points may not hold a shape where all of its points are.
   constexpr double kWorse = 1.5;
   return rmsDistance(last, points_) <= kWorse * rmsDistance(start, points_) ? last : start;

@@ -29,6 +29,7 @@ class Measurement {
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection);
 
  private:
+  Shape unbiased(const Shape& fit) const;
   Shape fitted(const Shape& shape);
 
   const Cloud& cloud_;

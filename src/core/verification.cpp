@@ -242,9 +242,13 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
     for (const std::uint32_t i : segment.inliers) held_by_others[i] = 0.0f;
     for (const std::uint32_t i : others) held_by_others[i] = 1.0f;
     apart.push_back(pool_[segment.hypothesis]);
-    if (!bestOfKinds(samples_, held_by_others, group, rules(), apart.back())) return false;
-    withhold(others, apart.back());
+    if (bestOfKinds(samples_, held_by_others, group, rules(), apart.back())) {
+      withhold(others, apart.back());
+    } else {
+      apart.pop_back();  // alone it is nothing; the others are not to be tilted by it
+    }
   }
+  if (apart.empty()) return false;
   pool_[segment.hypothesis].support.clear();
   std::move(apart.begin(), apart.end(), std::back_inserter(pool_));
   return true;
