@@ -18,6 +18,7 @@ PENALTY = 5.0
 # Of the weights. Otherwise what is common in clouds where all detections are right would speak for a shape, even if it
 # is a flaw.
 SIGNS = (0, 1, 1, -1, -1, 1, 1)
+MANY = 150.0  # inliers
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
 EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead")  # as compare's
 
@@ -86,8 +87,11 @@ def features(cases):
     """What the weights are for, a row a detection: the same as featuresOf() of src/core/evidence.cpp."""
     inliers, gain, against, _, runs_into, _, turn, lead = cases.numbers.T
     curved = cases.kind != KINDS.index("plane")
-    return np.column_stack([np.ones(len(inliers)), np.log(np.maximum(inliers, 1.0)), gain, against, root(runs_into),
-                            curved * root(turn), curved * root(lead)])
+    # A flaw of a large ball grows with it, and chance does not. For cylinders and cones that made no difference.
+    grows = cases.kind == KINDS.index("sphere")
+    losses = np.where(grows, against * np.sqrt(MANY / np.maximum(inliers, MANY)), against)
+    return np.column_stack([np.ones(len(inliers)), np.log(np.maximum(inliers, 1.0)), gain, losses,
+                            root(runs_into), curved * root(turn), curved * root(lead)])
 
 
 def fit(cases, penalty=PENALTY):

@@ -151,6 +151,25 @@ TEST(Confidence, RisesWithTheInliers) {
   }
 }
 
+TEST(Confidence, TakesMoreAgainstALargeBallForAFlawOfIt) {
+  // How much (log-odds) is lost to what speaks against so many inliers.
+  const auto lostWith = [](Kind kind, float inliers) {
+    const auto logOdds = [&](float against) {
+      Evidence evidence = usualEvidence(kind);
+      evidence.inliers = inliers;
+      evidence.against = against;
+      const double confidence = confidenceOf(kind, evidence);
+      return std::log(confidence / (1.0 - confidence));
+    };
+    return logOdds(0.0f) - logOdds(0.2f);
+  };
+  EXPECT_NEAR(lostWith(Kind::sphere, 40.0f), lostWith(Kind::sphere, 150.0f), 1e-6);
+  EXPECT_NEAR(lostWith(Kind::sphere, 600.0f), 0.5 * lostWith(Kind::sphere, 150.0f), 1e-6);
+  for (const Kind kind : {Kind::plane, Kind::cylinder, Kind::cone}) {
+    EXPECT_NEAR(lostWith(kind, 600.0f), lostWith(kind, 150.0f), 1e-6) << kindName(kind);
+  }
+}
+
 TEST(Confidence, RisesWithTheLeadOverOtherKinds) {
   for (const Kind kind : {Kind::cylinder, Kind::cone}) {
     Evidence more = usualEvidence(kind);
