@@ -18,7 +18,7 @@ PENALTY = 5.0
 # Of the weights. Otherwise what is common in clouds where all detections are right would speak for a shape, even if it
 # is a flaw.
 SIGNS = (0, 1, 1, -1, -1, 1, 1)
-MANY = 150.0  # inliers
+MANY = 150.0  # samples of a ball: losses of a larger one count less
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
 EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead")  # as compare's
 

@@ -101,8 +101,8 @@ struct Detection {
   Shape shape;
   Extent extent;
   float votes = 0.0f;  ///< weight of all votes that were merged into it
-  std::uint32_t inlier_count =
-      0;  ///< points of the cloud on its observed part, of a large one extrapolated; not verified: samples
+  /// Points of the cloud on its observed part, of a large cloud extrapolated; not verified: samples.
+  std::uint32_t inlier_count = 0;
   float rms_error = kUnknown;          ///< of the inliers' distances (m)
   float confidence = kUnknown;         ///< [0, 1]
   float coverage = kUnknown;           ///< observed share of the full turn or area, [0, 1]

@@ -60,6 +60,7 @@ void findBorder(const Cloud& cloud, ImageRays& rays) {
 
 ImageRays everySoMany(int step, const ImageRays& rays) {
   ImageRays result = rays;
+  if (!rays.known) return result;
   result.misfit /= step;
   result.x_scale *= step, result.y_scale *= step;
   result.first_column = (rays.first_column + step - 1) / step, result.first_row = (rays.first_row + step - 1) / step;

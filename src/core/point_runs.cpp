@@ -21,8 +21,9 @@ void resize(PointRuns& runs, std::size_t count) {
 /// Asks for a run before it is looked at.
 void prefetch(const Cloud& cloud, std::size_t begin) {
   constexpr std::size_t kLine = 64 / sizeof(float);
+  const std::size_t end = std::min(cloud.size(), begin + kRun);
   for (const std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) {
-    for (std::size_t k = 0; k < kRun; k += kLine) __builtin_prefetch(values->data() + begin + k);
+    for (std::size_t k = begin; k < end; k += kLine) __builtin_prefetch(values->data() + k);
   }
 }
 
@@ -56,9 +57,7 @@ void findSomeRuns(const Cloud& cloud, PointRuns& some) {
   resize(some, all);
   std::size_t count = 0;
   for (std::size_t first = 0; first < all; first += step) {
-    // A fixed place in the group would be the same columns of every row where the step divides the runs of a row.
-    // Multiplicative hash (Knuth, TAOCP 3, 6.4).
-    const std::size_t run = first + (static_cast<std::uint32_t>(first) * 2654435761u >> 16) % step;
+    const std::size_t run = first + placeInGroup(first, step);
     if (run >= all) continue;
     some.number[count++] = static_cast<std::uint32_t>(run);
   }

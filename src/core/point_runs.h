@@ -12,6 +12,13 @@
 
 namespace primitect {
 
+/// A place in the group of `size` runs that begins with `first`: as good as random, but the same every time. A fixed
+/// one would be the same columns of every row where the size divides the runs of a row. Multiplicative hash (Knuth,
+/// TAOCP 3, 6.4).
+inline std::size_t placeInGroup(std::size_t first, std::size_t size) {
+  return (static_cast<std::uint32_t>(first) * 2654435761u >> 16) % size;
+}
+
 /// Runs of kernels::kPointsPerRun points; the last one of a cloud may be shorter.
 struct PointRuns {
   List<std::uint32_t> number;    ///< of each run in the cloud, rising

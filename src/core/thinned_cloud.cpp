@@ -19,6 +19,12 @@ void forCoordinates(const Cloud& whole, Cloud& part, const Use& use) {
   }
 }
 
+std::size_t measuredIn(const PointRuns& runs) {
+  std::size_t count = 0;
+  for (const std::uint64_t bits : runs.measured) count += static_cast<std::size_t>(__builtin_popcountll(bits));
+  return count;
+}
+
 std::uint32_t measuredOf(const Cloud& cloud) {
   const auto measured = [](float z) { return !std::isnan(z); };
   return static_cast<std::uint32_t>(std::count_if(cloud.z.begin(), cloud.z.end(), measured));
@@ -38,17 +44,14 @@ void ThinnedCloud::thinImage(const Cloud& whole) {
   });
 }
 
-void ThinnedCloud::thinRuns(const Cloud& whole, const PointRuns& some, std::size_t every) {
+void ThinnedCloud::thinRuns(const Cloud& whole) {
   const auto endOf = [&whole](std::uint32_t run) { return std::min(whole.size(), (run + std::size_t{1}) * kRun); };
   std::size_t count = 0;
-  for (std::size_t k = 0; k < some.size(); k += every) count += endOf(some.number[k]) - some.number[k] * kRun;
+  for (const std::uint32_t run : left_) count += endOf(run) - run * kRun;
   part_.prepare(static_cast<std::uint32_t>(count), 1, whole.hasNormals());
   forCoordinates(whole, part_, [&](const std::vector<float>& from, std::vector<float>& to) {
     float* next = to.data();
-    for (std::size_t k = 0; k < some.size(); k += every) {
-      const std::uint32_t run = some.number[k];
-      next = std::copy(from.data() + run * kRun, from.data() + endOf(run), next);
-    }
+    for (const std::uint32_t run : left_) next = std::copy(from.data() + run * kRun, from.data() + endOf(run), next);
   });
 }
 
@@ -61,18 +64,25 @@ void ThinnedCloud::keep(const Cloud& cloud) {
 /// Copies what is left; returns how many points of the whole there are to one of these, if none were missing.
 double ThinnedCloud::copy(const Cloud& whole, const PointRuns& some) {
   constexpr double kFewestPixels = 640.0 * 360.0;
+  // The paper's scenes have 160,000 points: these stay whole.
+  constexpr std::size_t kFewestPoints = 131072;
   if (whole.organized()) {
-    step_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(whole.size()) / kFewestPixels)));
+    const double pixels = static_cast<double>(whole.size()) / kFewestPixels;
+    const double points = static_cast<double>(whole.valid_count) / static_cast<double>(kFewestPoints);
+    step_ = std::max(1, static_cast<int>(std::sqrt(std::min(pixels, points))));
     if (step_ > 1) thinImage(whole);
     return static_cast<double>(step_) * step_;
   }
-  // The paper's scenes have 160,000 points: these stay whole.
-  constexpr std::size_t kFewestPoints = 131072;
-  const std::size_t every = std::max<std::size_t>(1, some.size() * kRun / kFewestPoints);
-  const std::size_t runs = (whole.size() + kRun - 1) / kRun, left = (some.size() + every - 1) / every;
-  if (left == 0 || left == runs) return 1.0;
-  thinRuns(whole, some, every);
-  return static_cast<double>(runs) / static_cast<double>(left);
+  const std::size_t every = std::max<std::size_t>(1, measuredIn(some) / kFewestPoints);
+  left_.clear();
+  for (std::size_t first = 0; first < some.size(); first += every) {
+    const std::size_t k = first + placeInGroup(first, every);
+    if (k < some.size()) left_.push_back(some.number[k]);
+  }
+  const std::size_t runs = (whole.size() + kRun - 1) / kRun;
+  if (left_.empty() || left_.size() == runs) return 1.0;
+  thinRuns(whole);
+  return static_cast<double>(runs) / static_cast<double>(left_.size());
 }
 
 void ThinnedCloud::begin(const Cloud& cloud, const PointRuns& some) {

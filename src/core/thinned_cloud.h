@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
+#include "core/frame_memory.h"
 #include "core/point_runs.h"
 #include "primitect/cloud.h"
 
@@ -13,10 +15,9 @@ namespace primitect {
 /// Of one frame after the other; its buffers are kept.
 class ThinnedCloud {
  public:
-  /// Of an image that has at least four times the pixels of 640 x 360 the same part of its columns and rows, so that no
-  /// fewer are left; of a cloud without order so many of these runs that
-  /// 131072 points or more are left. A small cloud stays whole, and so does one whose missing
-  /// points have a pattern that would leave it less than half of what it should. The cloud must stay until the next
+  /// Of an image every so many-th column and row, as long as 640 x 360 pixels and 131072 measured points are left; of a
+  /// cloud without order so many of these runs. A cloud stays whole where these bounds leave no choice, and where its
+  /// missing points have a pattern that would leave it less than half of what it should. It must stay until the next
   /// one.
   void begin(const Cloud& cloud, const PointRuns& some);
 
@@ -32,10 +33,11 @@ class ThinnedCloud {
  private:
   double copy(const Cloud& whole, const PointRuns& some);
   void thinImage(const Cloud& whole);
-  void thinRuns(const Cloud& whole, const PointRuns& some, std::size_t every);
+  void thinRuns(const Cloud& whole);
 
   const Cloud* cloud_ = nullptr;
   Cloud part_;
+  List<std::uint32_t> left_;  ///< numbers of runs
   int step_ = 1;
   double each_ = 1.0;
 };

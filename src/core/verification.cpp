@@ -230,6 +230,8 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
   const SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
   const SampleParts groups = coplanarGroups(samples_, parts, levelOf(segment));
   if (groups.size() < 2) return false;
+  const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  const List<std::uint32_t>& largest = *std::max_element(groups.begin(), groups.end(), smaller);
   List<Hypothesis> apart;
   for (const List<std::uint32_t>& group : groups) {
     List<std::uint32_t> others;
@@ -245,10 +247,10 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
     if (bestOfKinds(samples_, held_by_others, group, rules(), apart.back())) {
       withhold(others, apart.back());
     } else {
+      if (&group == &largest) return false;
       apart.pop_back();  // alone it is nothing; the others are not to be tilted by it
     }
   }
-  if (apart.empty()) return false;
   pool_[segment.hypothesis].support.clear();
   std::move(apart.begin(), apart.end(), std::back_inserter(pool_));
   return true;

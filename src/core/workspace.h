@@ -267,7 +267,7 @@ struct Detector::Workspace {
     Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
     const auto enough = [&](std::size_t k) {
       return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole) &&
-             points[k].index.size() >= static_cast<std::size_t>(inliersAtThisEffort());
+             static_cast<double>(points[k].all) >= thinned.each() * inliersAtThisEffort();
     };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {

@@ -182,7 +182,7 @@ struct Kernels {
 extern const Kernels kScalar;    ///< the definition
 extern const Kernels kPortable;  ///< four lanes of any processor
 extern const Kernels kAvx2;      ///< x86-64 with AVX2 and FMA only; not defined for other architectures
-extern const Kernels kAvx512;    ///< x86-64 with AVX-512 F, DQ, VL, BW, and FMA; neither
+extern const Kernels kAvx512;    ///< x86-64 with AVX2, FMA and AVX-512 F, DQ, VL and BW; the same
 
 /// Those that this machine can run, slowest first.
 struct Available {

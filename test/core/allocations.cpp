@@ -15,11 +15,11 @@
 namespace primitect {
 namespace {
 
-/// 640 x 480, cut at the default's depths.
-std::vector<Cloud> tabletops(std::uint64_t first_seed, std::size_t count) {
+/// Cut at the default's depths.
+std::vector<Cloud> tabletops(std::uint64_t first_seed, std::size_t count,
+                             const synthetic::PinholeCamera& camera = synthetic::PinholeCamera()) {
   const Params params;
   const DepthRange range{static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
-  const synthetic::PinholeCamera camera;
   std::vector<Cloud> clouds(count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::uint64_t seed = first_seed + k;
@@ -71,6 +71,24 @@ TEST_F(Allocations, AreNoneInDepthFramesThatWereSeen) {
   Detector detector{Params()};
   warmUp(clouds, detector);
   for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
+}
+
+TEST_F(Allocations, AreNoneInLargeCloudsThatWereSeen) {
+  std::vector<Cloud> clouds = tabletops(1, 2, synthetic::PinholeCamera().scaledTo(1280, 960));
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
+  // The paper's points three times over.
+  Cloud scene = makePaperScene(synthetic::SceneKind::mixed, 1, 0.01).cloud;
+  for (auto values : {&Cloud::x, &Cloud::y, &Cloud::z, &Cloud::nx, &Cloud::ny, &Cloud::nz}) {
+    const std::vector<float> once = scene.*values;
+    for (int copy = 0; copy < 2; ++copy) (scene.*values).insert((scene.*values).end(), once.begin(), once.end());
+  }
+  scene.width *= 3, scene.valid_count *= 3;
+  clouds = {scene};
+  Detector without_order(sceneParams());
+  warmUp(clouds, without_order);
+  EXPECT_EQ(allocationsOf(clouds[0], without_order), 0u);
 }
 
 TEST_F(Allocations, AreNoneInDepthFramesOfLessEffort) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "primitect/detector.h"
 #include "synthetic/clutter.h"

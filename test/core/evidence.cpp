@@ -151,7 +151,7 @@ TEST(Confidence, RisesWithTheInliers) {
   }
 }
 
-TEST(Confidence, TakesMoreAgainstALargeBallForAFlawOfIt) {
+TEST(Confidence, LosesLessOfALargeBallToWhatSpeaksAgainstIt) {
   // How much (log-odds) is lost to what speaks against so many inliers.
   const auto lostWith = [](Kind kind, float inliers) {
     const auto logOdds = [&](float against) {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "core/image_rays.h"
@@ -98,6 +101,33 @@ TEST(ThinnedCloud, OfALargeCloudWithoutOrderAreRunsOfIt) {
   float last = part.y.front();
   for (const float y : part.y) last = y > last ? y : last;
   EXPECT_GT(last, 0.48f);
+}
+
+TEST(ThinnedCloud, LeavesSomethingOfEveryColumnOfAFlattenedImage) {
+  const Cloud points = flattened(wall(640, 480, 0.002f, true));
+  ThinnedCloud thinned;
+  thinned.begin(points, someRunsOf(points));
+  ASSERT_TRUE(thinned.thinned());
+  // Ten columns of 64 pixels, 480 rows of which half are left: binomial, with a standard deviation of 5 %.
+  std::array<int, 10> in_column = {};
+  for (const float x : thinned.cloud().x) {
+    if (!std::isnan(x)) ++in_column[static_cast<std::size_t>(std::clamp((x / 0.002f + 320.0f) / 64.0f, 0.0f, 9.9f))];
+  }
+  for (const int count : in_column) EXPECT_NEAR(count, 432 * 64 / 2, 0.25 * 432 * 64 / 2);
+}
+
+TEST(ThinnedCloud, LeavesWholeWhatHasFewMeasuredPoints) {
+  Cloud image = wall(2560, 1440, 0.0005f, false);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (i % 20 != 0 && image.valid(i)) image.x[i] = image.y[i] = image.z[i] = kMissing, --image.valid_count;
+  }
+  const Cloud points = flattened(image);
+  const Cloud* const clouds[] = {&image, &points};
+  for (const Cloud* cloud : clouds) {
+    ThinnedCloud thinned;
+    thinned.begin(*cloud, someRunsOf(*cloud));
+    EXPECT_FALSE(thinned.thinned());
+  }
 }
 
 TEST(ThinnedCloud, StaysWholeWhereHolesHaveThePatternOfWhatIsLeft) {
