@@ -27,8 +27,6 @@ void prefetch(const Cloud& cloud, std::size_t begin) {
   }
 }
 
-std::size_t runsOf(const Cloud& cloud) { return (cloud.size() + kRun - 1) / kRun; }
-
 /// Looks at runs that follow each other in the cloud: `count` of them from its point `begin` on, the k-th and next ones
 /// of these runs.
 void look(const Cloud& cloud, std::size_t begin, std::size_t count, std::size_t k, PointRuns& runs) {
@@ -43,7 +41,7 @@ void look(const Cloud& cloud, std::size_t begin, std::size_t count, std::size_t 
 }  // namespace
 
 void findRuns(const Cloud& cloud, PointRuns& all) {
-  resize(all, runsOf(cloud));
+  resize(all, numberOfRuns(cloud));
   std::iota(all.number.begin(), all.number.end(), 0u);
   look(cloud, 0, all.size(), 0, all);
 }
@@ -53,7 +51,7 @@ void findSomeRuns(const Cloud& cloud, PointRuns& some) {
   constexpr std::size_t kEnough = 262144, kLargestStep = 16;
   const std::size_t step = std::clamp<std::size_t>(cloud.valid_count / kEnough, 1, kLargestStep);
   if (step == 1) return findRuns(cloud, some);
-  const std::size_t all = runsOf(cloud);
+  const std::size_t all = numberOfRuns(cloud);
   resize(some, all);
   std::size_t count = 0;
   for (std::size_t first = 0; first < all; first += step) {

@@ -28,6 +28,17 @@ struct PointRuns {
   std::size_t size() const { return number.size(); }
 };
 
+/// How many bits are set (sums over pairs, fours, bytes).
+inline std::uint32_t countOf(std::uint64_t bits) {
+  bits -= bits >> 1 & 0x5555555555555555u;
+  bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
+  return static_cast<std::uint32_t>(((bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
+}
+
+inline std::size_t numberOfRuns(const Cloud& cloud) {
+  return (cloud.size() + kernels::kPointsPerRun - 1) / kernels::kPointsPerRun;
+}
+
 /// All runs of a cloud.
 void findRuns(const Cloud& cloud, PointRuns& all);
 

@@ -26,13 +26,6 @@ void gather(const Cloud& cloud, const List<std::uint32_t>& indices, Samples& sam
   }
 }
 
-/// How many bits are set (sums over pairs, fours, bytes).
-std::uint32_t countOf(std::uint64_t bits) {
-  bits -= bits >> 1 & 0x5555555555555555u;
-  bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
-  return static_cast<std::uint32_t>(((bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
-}
-
 /// Place of the set bit that has so many set ones below it.
 std::uint32_t placeOf(std::uint64_t bits, std::uint32_t below) {
   std::uint32_t place = 0;

@@ -21,7 +21,7 @@ void forCoordinates(const Cloud& whole, Cloud& part, const Use& use) {
 
 std::size_t measuredIn(const PointRuns& runs) {
   std::size_t count = 0;
-  for (const std::uint64_t bits : runs.measured) count += static_cast<std::size_t>(__builtin_popcountll(bits));
+  for (const std::uint64_t bits : runs.measured) count += countOf(bits);
   return count;
 }
 
@@ -79,7 +79,7 @@ double ThinnedCloud::copy(const Cloud& whole, const PointRuns& some) {
     const std::size_t k = first + placeInGroup(first, every);
     if (k < some.size()) left_.push_back(some.number[k]);
   }
-  const std::size_t runs = (whole.size() + kRun - 1) / kRun;
+  const std::size_t runs = numberOfRuns(whole);
   if (left_.empty() || left_.size() == runs) return 1.0;
   thinRuns(whole);
   return static_cast<double>(runs) / static_cast<double>(left_.size());

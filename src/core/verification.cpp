@@ -243,12 +243,12 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
     HeldGains held_by_others = held;
     for (const std::uint32_t i : segment.inliers) held_by_others[i] = 0.0f;
     for (const std::uint32_t i : others) held_by_others[i] = 1.0f;
-    apart.push_back(pool_[segment.hypothesis]);
-    if (bestOfKinds(samples_, held_by_others, group, rules(), apart.back())) {
-      withhold(others, apart.back());
-    } else {
-      if (&group == &largest) return false;
-      apart.pop_back();  // alone it is nothing; the others are not to be tilted by it
+    Hypothesis alone = pool_[segment.hypothesis];
+    if (bestOfKinds(samples_, held_by_others, group, rules(), alone)) {
+      withhold(others, alone);
+      apart.push_back(std::move(alone));
+    } else if (&group == &largest) {
+      return false;  // of a smaller one nothing is left, but it tilts the others no longer
     }
   }
   pool_[segment.hypothesis].support.clear();

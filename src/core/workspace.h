@@ -266,8 +266,7 @@ struct Detector::Workspace {
     const ImageRays rays = everySoMany(thinned.step(), raysOf(whole, normal_source));
     Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
     const auto enough = [&](std::size_t k) {
-      return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole) &&
-             static_cast<double>(points[k].all) >= thinned.each() * inliersAtThisEffort();
+      return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole);
     };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -304,7 +303,8 @@ struct Detector::Workspace {
     const std::size_t drawn =
         out_of_time ? atThisEffort(params.rounds * params.samples + params.closer_samples) : result.samples;
     const double each = static_cast<double>(result.points_used) / static_cast<double>(std::max<std::size_t>(drawn, 1));
-    return static_cast<std::size_t>(inliersAtThisEffort() * std::max(1.0, least_share * each));
+    // As many as inliers were looked at; each of these stands for some of a large cloud.
+    return static_cast<std::size_t>(inliersAtThisEffort() * std::max(thinned.each(), least_share * each));
   }
 
   void describeSegments(const List<Segment>& described, const Samples& of) {

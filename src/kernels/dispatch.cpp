@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kernels/kernels.h"
+#include "kernels/processor.h"
 
 namespace primitect::kernels {
 namespace {
@@ -20,10 +21,7 @@ Available availableKernels() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     available.kernels[available.count++] = &kAvx2;
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw")) {
-      available.kernels[available.count++] = &kAvx512;
-    }
+    if (hasAvx512()) available.kernels[available.count++] = &kAvx512;
   }
 #endif
   return available;

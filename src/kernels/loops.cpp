@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "kernels/processor.h"
+
 namespace primitect::kernels {
 
 extern const Loops kLoopsBaseline;
@@ -15,9 +17,7 @@ extern const Loops kLoopsAvx2, kLoopsAvx512;
 LoopsList allLoops() {
   LoopsList list = {{&kLoopsBaseline}, 1};
   if (__builtin_cpu_supports("avx2")) list.tables[list.count++] = &kLoopsAvx2;
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512bw"))
-    list.tables[list.count++] = &kLoopsAvx512;
+  if (hasAvx512()) list.tables[list.count++] = &kLoopsAvx512;
   return list;
 }
 #else
