@@ -30,8 +30,9 @@ struct Cloud {
   std::vector<float> x, y, z;     ///< width * height points, row by row
   std::vector<float> nx, ny, nz;  ///< unit normals as long as x, or empty when the source brought none
   std::uint32_t width = 0;
-  std::uint32_t height = 0;       ///< above 1: organized, a pixel's neighbours are its neighbours in space
-  std::uint32_t valid_count = 0;  ///< points that are not missing
+  std::uint32_t height = 0;        ///< above 1: organized, a pixel's neighbours are its neighbours in space
+  std::uint32_t valid_count = 0;   ///< points that are not missing
+  std::uint32_t behind_count = 0;  ///< of these, points with z <= 0, where no depth camera measures
 
   std::size_t size() const { return x.size(); }
   bool organized() const { return height > 1; }
@@ -59,6 +60,7 @@ struct Cloud {
     y[i] = measured ? py : kMissing;
     z[i] = measured ? pz : kMissing;
     valid_count += measured ? 1u : 0u;
+    behind_count += measured && pz <= 0.0f ? 1u : 0u;
   }
 
   /// Points [begin, end) were written to x, y and z as they came: those that setPoint() would make missing become so.

@@ -19,7 +19,7 @@ void Cloud::prepare(std::uint32_t new_width, std::uint32_t new_height, bool with
   const std::size_t count = static_cast<std::size_t>(new_width) * new_height;
   width = new_width;
   height = new_height;
-  valid_count = 0;
+  valid_count = behind_count = 0;
   for (std::vector<float>* values : {&x, &y, &z}) values->resize(count);
   for (std::vector<float>* values : {&nx, &ny, &nz}) values->resize(with_normals ? count : 0);
 }
@@ -28,9 +28,10 @@ void Cloud::checkPoints(std::size_t begin, std::size_t end, const DepthRange& ra
   constexpr float kAny = std::numeric_limits<float>::infinity();
   const kernels::PointBounds bounds = {kFarthest, range.min > 0.0f ? range.min : -kAny,
                                        range.max > 0.0f ? range.max : kAny};
-  const std::size_t measured =
+  const kernels::MeasuredPoints measured =
       kernels::loops().dropUnmeasured(bounds, x.data() + begin, y.data() + begin, z.data() + begin, end - begin);
-  valid_count += static_cast<std::uint32_t>(measured);
+  valid_count += measured.count;
+  behind_count += measured.behind;
 }
 
 void Cloud::setNormal(std::size_t i, float px, float py, float pz) {

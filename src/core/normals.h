@@ -21,7 +21,6 @@ struct NormalSource {
   std::unique_ptr<NeighborSearch> neighbors;
   std::optional<ProjectedImage> image;
   bool image_tried = false;
-  std::optional<bool> in_front;     ///< the cloud is organized and all in front of the sensor
   std::optional<ImageRays> rays;    ///< of the organized cloud
   std::optional<PixelPitch> pitch;  ///< the same
   int neighbor_count = 0;           ///< above 0: measured from so many neighbours even where the cloud brings normals

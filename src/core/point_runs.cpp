@@ -48,7 +48,7 @@ void findRuns(const Cloud& cloud, PointRuns& all) {
 
 void findSomeRuns(const Cloud& cloud, PointRuns& some) {
   // Fewer would part what is small: at 1280 x 720 every third run is left, at 640 x 480 all of them are.
-  constexpr std::size_t kEnough = 262144, kLargestStep = 16;
+  constexpr std::size_t kEnough = 262144, kLargestStep = 64;
   const std::size_t step = std::clamp<std::size_t>(cloud.valid_count / kEnough, 1, kLargestStep);
   if (step == 1) return findRuns(cloud, some);
   const std::size_t all = numberOfRuns(cloud);

@@ -42,7 +42,7 @@ inline std::size_t numberOfRuns(const Cloud& cloud) {
 /// All runs of a cloud.
 void findRuns(const Cloud& cloud, PointRuns& all);
 
-/// Those that samples are drawn from: all, or one of every so many (sixteen at most), so that about 262144 measured
+/// Those that samples are drawn from: all, or one of every so many (sixty-four at most), so that about 262144 measured
 /// points are left; the others are not looked at. Which one of them is as good as random, but the same every time: a
 /// few thousand samples are spread over the cloud as those of all points are.
 void findSomeRuns(const Cloud& cloud, PointRuns& some);

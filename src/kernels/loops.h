@@ -138,6 +138,11 @@ struct PointBounds {
   float farthest, min_z, max_z;
 };
 
+/// How many points were measured, and how many of these have z <= 0.
+struct MeasuredPoints {
+  std::uint32_t count, behind;
+};
+
 /// A cube of 2^kCellBits cells along each edge.
 constexpr int kCellBits = 10;
 struct CellCube {
@@ -211,8 +216,8 @@ struct Loops {
   void (*places)(const CellCube& cube, const float* x, const float* y, const float* z, std::size_t count,
                  std::uint32_t* place);
 
-  /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds; returns how many others there are.
-  std::size_t (*dropUnmeasured)(const PointBounds& bounds, float* x, float* y, float* z, std::size_t count);
+  /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds; counts the others.
+  MeasuredPoints (*dropUnmeasured)(const PointBounds& bounds, float* x, float* y, float* z, std::size_t count);
 };
 
 /// For the machine that runs this.

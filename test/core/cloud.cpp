@@ -42,6 +42,8 @@ TEST(Cloud, ChecksPointsInARowAsOneByOne) {
     in_a_row.checkPoints(0, 100, range);
     in_a_row.checkPoints(100, 512, range);
     EXPECT_EQ(in_a_row.valid_count, one_by_one.valid_count);
+    EXPECT_EQ(in_a_row.behind_count, one_by_one.behind_count);
+    EXPECT_EQ(in_a_row.behind_count > 0, range.min == 0.0f);
     for (std::size_t i = 0; i < 512; ++i) {
       ASSERT_EQ(std::isnan(in_a_row.x[i]), !one_by_one.valid(i)) << i;
       ASSERT_EQ(in_a_row.valid(i), one_by_one.valid(i)) << i;

@@ -153,6 +153,14 @@ TEST(NeighborNormals, OfPointsOnALineOrInOnePlaceAreMissing) {
   EXPECT_FALSE(planeNormal(line, all));
 }
 
+TEST(DepthCamera, SeesAnImageWhoseEveryPointLiesInFront) {
+  NormalSource source;
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  EXPECT_TRUE(seenByDepthCamera(cloud, source));
+  cloud.setPoint(5000, 0.5f, 0.5f, -1.0f, {});
+  EXPECT_FALSE(seenByDepthCamera(cloud, source));
+}
+
 TEST(CloudNormals, AreKeptOrTurnedTowardsTheSensor) {
   Cloud cloud = test::cloudOf({{Vec3(0, 0, 1), Vec3(0, 0, 1)}, {Vec3(0, 1, 1), Vec3(0, 0, -1)}});
   Samples samples = test::samplesOf({{Vec3(0, 0, 1), Vec3::UnitX()}, {Vec3(0, 1, 1), Vec3::UnitX()}});

@@ -137,6 +137,12 @@ TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImageAlsoOfAFlattenedOn
   }
 }
 
+TEST(Sampling, LooksAtNoMorePointsOfAVeryLargeImageThanOfALargeOne) {
+  const ChosenRuns large(1280, 960, false), very_large(3072, 2048, false);
+  EXPECT_EQ(large.some * kernels::kPointsPerRun, 307200u);
+  EXPECT_EQ(very_large.some * kernels::kPointsPerRun, 262144u);
+}
+
 TEST(Sampling, LeavesOutNoneOfTheRunsOfAnImageWithFewMeasuredPoints) {
   Cloud cloud;
   cloud.reset(1280, 960, false);
