@@ -202,7 +202,6 @@ bool Verification::isLargePlane(const Segment& segment) const {
   return primitect::isLargePlane(static_cast<std::size_t>(end - segment.inliers.begin()), samples_.first_draw);
 }
 
-/// The normal of that large plane which this one is most parallel to: what it may stand on.
 std::optional<Vec3> Verification::levelOf(const Segment& plane) const {
   std::optional<Vec3> level;
   const Vec3 normal = std::get<Plane>(plane.candidate.shape).normal;

@@ -63,6 +63,9 @@ class Verification {
   const Refusals& refusals() const { return refusals_; }
   /// What things stand on: a plane with so much of the first draw, which was from all points (plane_parts.h).
   bool isLargePlane(const Segment& segment) const;
+  /// The normal of that large plane which this plane is most parallel to: what it may stand on; nothing where there is
+  /// none.
+  std::optional<Vec3> levelOf(const Segment& plane) const;
   Limits limits() const;
 
  private:
@@ -73,7 +76,6 @@ class Verification {
   void join(const Hypothesis& version, std::uint32_t origin);
   void split(const Segment& segment, const HeldGains& held);
   void settle();
-  std::optional<Vec3> levelOf(const Segment& plane) const;
   bool separate();
   bool separate(const Segment& segment, const HeldGains& held);
   void assess();

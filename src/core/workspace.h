@@ -16,6 +16,7 @@
 #include "core/far_sides.h"
 #include "core/frame_memory.h"
 #include "core/labeling.h"
+#include "core/level_top.h"
 #include "core/measurement.h"
 #include "core/neighbors.h"
 #include "core/normals.h"
@@ -255,10 +256,30 @@ struct Detector::Workspace {
     }
   }
 
+  /// Of a small plane over the tops of several things only one of them. Its other points would be planes of their own
+  /// more often wrongly than rightly: the closer look had too few samples of them.
+  void keepToTops() {
+    if (!depth_camera) return;
+    const PointNoise sigma(verification.noise());
+    std::size_t k = 0;
+    for (const Segment& segment : verification.segments()) {
+      if (!isDescribed(segment)) continue;
+      LabelledPoints& of_item = points[k++];
+      const bool small = kindOf(segment.candidate.shape) == Kind::plane && !verification.isLargePlane(segment);
+      const std::optional<Vec3> level = small ? verification.levelOf(segment) : std::nullopt;
+      if (!level || of_item.index.empty()) continue;
+      const Plane& plane = std::get<Plane>(segment.candidate.shape);
+      const std::size_t before = of_item.index.size();
+      of_item.index = levelTop(thinned.cloud(), plane, *level, sigma, of_item.index);
+      of_item.all = of_item.all * of_item.index.size() / before;
+    }
+  }
+
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& whole) {
     thin(whole);
     findPoints(thinned.thinned() ? labeling_of_thinned : labeling);
+    keepToTops();
     const Cloud& cloud = thinned.cloud();
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(),

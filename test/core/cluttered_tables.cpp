@@ -60,6 +60,12 @@ TEST(ClutteredTable, TiltsNoTopTowardsCrumbsOfAnotherThatAreNoPlane) {
   EXPECT_LT(tiltAt(top, tableCloud(2485)), 0.5 * kDegree);  // was 1.05
 }
 
+TEST(ClutteredTable, TiltsNoTopTowardsAnotherWithTooFewSamples) {
+  // 50 cm away, and 7 mm lower, lies a top of 468 pixels.
+  const Plane top = {Vec3(0.2506, 0.1158, 0.9679), Vec3(0.0181, -0.6880, -0.7255).normalized()};
+  EXPECT_LT(tiltAt(top, tableCloud(2624)), 0.6 * kDegree);  // was 1.46, and more than 3 mm away
+}
+
 TEST(ClutteredTable, TakesNoBiasOutOfAFaceTooNarrowForClearPoints) {
   // The front of a box of 28 mm, seen at a steep angle.
   const Plane front = {Vec3(-0.0461, 0.2933, 0.8843), Vec3(0.1104, 0.6753, -0.7292).normalized()};
