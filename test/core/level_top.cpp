@@ -21,7 +21,8 @@ const Vec3 kUp = -Vec3::UnitZ();
 /// Tops on a table 1 m below the sensor, one after the other.
 class Tops {
  public:
-  /// Of 10 x 10 cm from x on (m), at a height above the table, with a slope in x. Returns how many points there are now.
+  /// Of 10 x 10 cm from x on (m), at a height above the table, with a slope in x. Returns how many points there are
+  /// now.
   std::size_t add(double x, double height, int points_per_side, double slope = 0.0) {
     for (int row = 0; row < points_per_side; ++row) {
       for (int column = 0; column < points_per_side; ++column) {
