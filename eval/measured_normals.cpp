@@ -8,6 +8,7 @@
 
 #include "core/neighbors.h"
 #include "core/normals.h"
+#include "core/projected_image.h"
 #include "core/samples.h"
 
 namespace primitect::eval {
@@ -37,8 +38,13 @@ void measureNormals(const std::vector<std::uint32_t>& points, Cloud& cloud) {
   Samples samples = samplesAt(points, cloud);
   Params params;
   params.use_cloud_normals = false;
+  ProjectedImage projected;
+  const bool is_projected = projected.make(cloud);
+  if (is_projected) {
+    for (std::uint32_t& index : samples.index) index = projected.pixel()[index];
+  }
   NormalSource source;
-  estimateNormals(cloud, params, source, samples);
+  estimateNormals(is_projected ? projected.image() : cloud, params, source, samples);
   for (std::size_t k = 0; k < points.size(); ++k) {
     cloud.setNormal(points[k], samples.nx[k], samples.ny[k], samples.nz[k]);
   }

@@ -10,7 +10,6 @@
 #include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/observed_part.h"
-#include "core/projected_image.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -28,35 +27,31 @@ struct CloudNormals {
 class ClearPoints {
  public:
   /// All must stay; `labels` are those of the detections, as markFarSides() (far_sides.h) leaves them, `has_far_side`
-  /// what it says of each detection; empty: none has one. projected: of a depth camera's unorganized cloud, else null.
+  /// what it says of each detection; empty: none has one.
   ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-              const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise,
-              const ProjectedImage* projected);
+              const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise);
 
   /// Those of a detection's points (indices in the cloud)
   ///   depth camera         with no other label on a ring of eight pixels of its image, as far away as the noise
-  ///                        reaches, and not on the rim of a wall whose inside is seen, too; an unorganized cloud
-  ///                        gets its image back (projected_image.h)
+  ///                        reaches, and not on the rim of a wall whose inside is seen, too
   ///   any other cloud      whose place on the surface is far from all other detections, beyond the noise,
   ///                        and whose own normal, if it has one, is about the surface's
   /// all of them where too few would be left.
   List<std::uint32_t> of(std::size_t detection, const List<std::uint32_t>& points) const;
 
  private:
+  bool inImage() const { return noise_.ofDepthCamera() && cloud_.organized(); }
   List<std::uint32_t> surrounded(std::uint32_t label, const List<std::uint32_t>& points) const;
   List<std::uint32_t> apart(std::size_t detection, const List<std::uint32_t>& points) const;
 
   const Cloud& cloud_;
   CloudNormals normals_;
   const std::vector<Detection>& detections_;
+  const std::vector<std::uint32_t>& labels_;
   NoiseModel noise_;
-  const Cloud* image_ = nullptr;                 ///< where points of a depth camera have their neighbours
-  const List<std::uint32_t>* pixel_ = nullptr;   ///< of each point in the image; null: they are its pixels
-  List<std::uint32_t> labels_of_pixels_;         ///< of a projected image
-  const std::uint32_t* image_labels_ = nullptr;  ///< of the pixels
-  List<bool> has_far_side_;                      ///< of each detection; or empty
-  List<kernels::FlatShape> shapes_;              ///< of the detections of any other cloud
-  List<ObservedPart> parts_;                     ///< the same
+  List<bool> has_far_side_;          ///< of each detection; or empty
+  List<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
+  List<ObservedPart> parts_;         ///< the same
 };
 
 }  // namespace primitect

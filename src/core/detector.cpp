@@ -49,18 +49,18 @@ void Detector::onStageDone(std::function<void(const char*)> callback) { work_->s
 const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
   Workspace& w = *work_;
   const FrameMemoryScope scope(&w.memory);
-  w.begin(cloud, checked(effort));
+  const Cloud& seen = w.begin(cloud, checked(effort));
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
     if (round > 0 && w.outOfTime()) break;
-    if (!w.prepareRound(cloud, round)) break;
-    w.params.verify ? w.segmentVerified(cloud, round) : w.segmentByVotes();
+    if (!w.prepareRound(seen, round)) break;
+    w.params.verify ? w.segmentVerified(seen, round) : w.segmentByVotes();
     w.done("segment");
   }
   if (w.params.verify && w.result.status == Status::ok) {
-    if (!w.outOfTime()) w.lookCloser(cloud);
+    if (!w.outOfTime()) w.lookCloser(seen);
     w.conclude();
     w.done("look closer");
-    w.measureOnCloud(cloud);
+    w.measureOnCloud(seen);
     w.done("measure");
   }
   return w.result;

@@ -35,10 +35,7 @@ bool anyNormal(const Samples& samples) {
   return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
 }
 
-/// pixel: of every point of the cloud that the samples are from.
-template <class PixelOf>
-void fitWindows(const Cloud& image, const PixelOf& pixel, const PixelPitch& pitch, int window_at_one_meter,
-                Samples& samples) {
+void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_meter, Samples& samples) {
   constexpr int kSmallestWindow = 3;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
@@ -48,7 +45,7 @@ void fitWindows(const Cloud& image, const PixelOf& pixel, const PixelPitch& pitc
                    static_cast<double>(std::min(kSmallestWindow, window_at_one_meter)), static_cast<double>(largest));
     const int half_width = static_cast<int>(std::lround(wanted));
     if (const std::optional<WindowNormal> normal =
-            windowNormal(image, pixel(samples.index[i]), samples.point(i), half_width, pitch)) {
+            windowNormal(image, samples.index[i], samples.point(i), half_width, pitch)) {
       store(normal->direction, i, samples);
       samples.normal_sigma[i] = static_cast<float>(normal->sigma);
     }
@@ -98,12 +95,9 @@ const ImageRays& raysOf(const Cloud& cloud, NormalSource& source) {
   return *source.rays;
 }
 
-bool seenByDepthCamera(const Cloud& cloud, NormalSource& source) {
-  const bool brings_normals = cloud.hasNormals();
-  if (!cloud.organized() && !brings_normals && !source.image_tried) source.image = projectedImage(cloud);
-  source.image_tried = true;
+bool isDepthImage(const Cloud& cloud) {
   // The image window needs depth along z, as in an optical frame.
-  return source.image.has_value() || (cloud.organized() && cloud.behind_count == 0);
+  return cloud.organized() && cloud.behind_count == 0;
 }
 
 int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, double wanted, NormalSource& source) {
@@ -133,15 +127,9 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
     // Fields that are there but hold zeros or NaN throughout are as good as none.
     if (anyNormal(samples) && source.neighbor_count <= 0) return;
   }
-  const bool from_image = source.neighbor_count <= 0 && seenByDepthCamera(cloud, source);
-  if (from_image && source.image) {
-    const auto pixel = [&](std::uint32_t point) { return source.image->pixel[point]; };
-    return fitWindows(source.image->image, pixel, {}, params.normal_window, samples);
-  }
-  if (from_image) {
+  if (source.neighbor_count <= 0 && isDepthImage(cloud)) {
     if (!source.pitch) source.pitch = pitchOf(raysOf(cloud, source));
-    const auto pixel = [](std::uint32_t point) { return point; };
-    return fitWindows(cloud, pixel, *source.pitch, params.normal_window, samples);
+    return fitWindows(cloud, *source.pitch, params.normal_window, samples);
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;

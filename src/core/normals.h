@@ -8,7 +8,6 @@
 
 #include "core/frame_memory.h"
 #include "core/neighbors.h"
-#include "core/projected_image.h"
 #include "core/samples.h"
 #include "core/window_normal.h"
 #include "primitect/cloud.h"
@@ -19,8 +18,6 @@ namespace primitect {
 /// What normals are measured with, made when it is needed and kept for the frame.
 struct NormalSource {
   std::unique_ptr<NeighborSearch> neighbors;
-  std::optional<ProjectedImage> image;
-  bool image_tried = false;
   std::optional<ImageRays> rays;    ///< of the organized cloud
   std::optional<PixelPitch> pitch;  ///< the same
   int neighbor_count = 0;           ///< above 0: measured from so many neighbours even where the cloud brings normals
@@ -31,8 +28,8 @@ struct NormalSource {
 /// Found once a frame.
 const ImageRays& raysOf(const Cloud& cloud, NormalSource& source);
 
-/// The cloud is, or was before a filter took its order, the image of a depth camera at the origin.
-bool seenByDepthCamera(const Cloud& cloud, NormalSource& source);
+/// The cloud is the image of a depth camera at the origin.
+bool isDepthImage(const Cloud& cloud);
 
 /// How many neighbours make a normal this good (rad, about each axis) of points with this noise (m): the slope of a
 /// plane through k points, evenly spread around at this mean distance d of neighbours, has the deviation 2 sqrt(pi)

@@ -9,54 +9,67 @@
 namespace primitect {
 namespace {
 
-/// Bounds of x/z and y/z; empty when a point is not in front.
+/// Bounds of x/z and y/z; in front: no camera sees more.
 struct View {
-  float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
-  bool in_front = true;
+  float left, right, top, bottom;
+  bool in_front = false;
 };
 
 View viewOf(const Cloud& cloud) {
   constexpr float kWidest = 2.0f;  // tangent: beyond it no camera sees
-  View view;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!cloud.valid(i)) continue;
-    const float u = cloud.x[i] / cloud.z[i], v = cloud.y[i] / cloud.z[i];
-    view.in_front = view.in_front && cloud.z[i] > 0.0f && std::fabs(u) < kWidest && std::fabs(v) < kWidest;
-    view.left = std::min(view.left, u), view.right = std::max(view.right, u);
-    view.top = std::min(view.top, v), view.bottom = std::max(view.bottom, v);
+  constexpr std::size_t kAtOnce = 8;
+  const float *const x = cloud.x.data(), *const y = cloud.y.data(), *const z = cloud.z.data();
+  float left[kAtOnce], right[kAtOnce], top[kAtOnce], bottom[kAtOnce];
+  for (std::size_t lane = 0; lane < kAtOnce; ++lane) left[lane] = top[lane] = 1e9f, right[lane] = bottom[lane] = -1e9f;
+  const auto look = [&](std::size_t i, std::size_t lane) {
+    // Missing points are NaN, of which no comparison holds.
+    const float u = x[i] / z[i], v = y[i] / z[i];
+    left[lane] = u < left[lane] ? u : left[lane], right[lane] = u > right[lane] ? u : right[lane];
+    top[lane] = v < top[lane] ? v : top[lane], bottom[lane] = v > bottom[lane] ? v : bottom[lane];
+  };
+  std::size_t i = 0;
+  for (; i + kAtOnce <= cloud.size(); i += kAtOnce) {
+    for (std::size_t lane = 0; lane < kAtOnce; ++lane) look(i + lane, lane);
   }
+  for (; i < cloud.size(); ++i) look(i, 0);
+  View view = {*std::min_element(left, left + kAtOnce), *std::max_element(right, right + kAtOnce),
+               *std::min_element(top, top + kAtOnce), *std::max_element(bottom, bottom + kAtOnce)};
+  view.in_front = cloud.behind_count == 0 && -kWidest < view.left && view.right < kWidest && -kWidest < view.top &&
+                  view.bottom < kWidest;
   return view;
 }
 
 }  // namespace
 
-std::optional<ProjectedImage> projectedImage(const Cloud& cloud) {
+bool ProjectedImage::make(const Cloud& cloud) {
   constexpr float kOtherSurface = 0.1f;  // of the depth
   constexpr double kMostHidden = 0.05;   // of the points
+  // Times the depth: of two points this near each other the first one stays. The nearer one would be the one that noise
+  // moved towards the sensor.
+  constexpr float kSameSurface = 1.02f;
+  if (cloud.organized() || cloud.behind_count > 0) return false;
   const View view = viewOf(cloud);
   const float width = view.right - view.left, height = view.bottom - view.top;
-  if (cloud.organized() || !view.in_front || !(width > 0.0f && height > 0.0f)) return std::nullopt;
+  if (!view.in_front || !(width > 0.0f && height > 0.0f)) return false;
   const float pitch = std::sqrt(width * height / static_cast<float>(cloud.valid_count));
-  ProjectedImage projected;
   const auto columns = static_cast<std::uint32_t>(width / pitch) + 1,
              rows = static_cast<std::uint32_t>(height / pitch) + 1;
-  projected.image.reset(columns, rows, false);
-  projected.pixel.assign(cloud.size(), 0);
+  image_.reset(columns, rows, false);
+  pixel_.assign(cloud.size(), 0);
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
     const auto column = static_cast<std::uint32_t>((cloud.x[i] / cloud.z[i] - view.left) / pitch);
     const auto row = static_cast<std::uint32_t>((cloud.y[i] / cloud.z[i] - view.top) / pitch);
     const std::uint32_t pixel = std::min(row, rows - 1) * columns + std::min(column, columns - 1);
-    projected.pixel[i] = pixel;
-    const float there = projected.image.z[pixel];
+    pixel_[i] = pixel;
+    const float there = image_.z[pixel];
     if (std::fabs(there - cloud.z[i]) > kOtherSurface * cloud.z[i]) ++hidden;
-    if (there <= cloud.z[i]) continue;  // NaN, an empty pixel, does not hold
-    if (!projected.image.valid(pixel)) ++projected.image.valid_count;
-    projected.image.x[pixel] = cloud.x[i], projected.image.y[pixel] = cloud.y[i], projected.image.z[pixel] = cloud.z[i];
+    if (there <= kSameSurface * cloud.z[i]) continue;  // NaN, an empty pixel, does not hold
+    if (!image_.valid(pixel)) ++image_.valid_count;
+    image_.x[pixel] = cloud.x[i], image_.y[pixel] = cloud.y[i], image_.z[pixel] = cloud.z[i];
   }
-  if (static_cast<double>(hidden) > kMostHidden * cloud.valid_count) return std::nullopt;
-  return projected;
+  return static_cast<double>(hidden) <= kMostHidden * cloud.valid_count;
 }
 
 }  // namespace primitect

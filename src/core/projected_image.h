@@ -4,22 +4,28 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "core/frame_memory.h"
 #include "primitect/cloud.h"
 
 namespace primitect {
 
-/// A cloud as an image over x/z and y/z.
-struct ProjectedImage {
-  Cloud image;
-  List<std::uint32_t> pixel;  ///< of each point of the cloud; of missing points: 0
-};
+/// A cloud as an image over x/z and y/z. Keeps its memory.
+class ProjectedImage {
+ public:
+  /// Pixels as large as the points are apart; of two points in a pixel the image holds the nearer one, or of one surface
+  /// the first. False when the
+  /// cloud is organized, when points lie beside or behind the sensor, or when many pixels hold points of very different
+  /// depth: then it was not seen from the origin.
+  bool make(const Cloud& cloud);
 
-/// Pixels as large as the points are apart; of two points in a pixel the image holds the nearer one. Nothing when the
-/// cloud is organized, when points lie beside or behind the sensor, or when many pixels hold points of very different
-/// depth: then it was not seen from the origin.
-std::optional<ProjectedImage> projectedImage(const Cloud& cloud);
+  const Cloud& image() const { return image_; }
+  /// Of each point of the cloud; of missing points: 0.
+  const List<std::uint32_t>& pixel() const { return pixel_; }
+
+ private:
+  Cloud image_;
+  List<std::uint32_t> pixel_;
+};
 
 }  // namespace primitect

@@ -22,6 +22,7 @@
 #include "core/normals.h"
 #include "core/pair_voting.h"
 #include "core/plane_parts.h"
+#include "core/projected_image.h"
 #include "core/sampling.h"
 #include "core/search.h"
 #include "core/segmentation.h"
@@ -76,8 +77,9 @@ struct Detector::Workspace {
   /// Of all rounds of this frame.
   const Samples& allSamples() const { return params.verify ? verification.samples() : all_samples; }
 
-  /// Forgets the last frame and looks whether this one can be used.
-  void begin(const Cloud& cloud, const Effort& frame_effort) {
+  /// Forgets the last frame and looks whether this one can be used. Returns the cloud to work on: what a filter made of
+  /// a depth camera's image, and brings no normals, gets its image back.
+  const Cloud& begin(const Cloud& cloud, const Effort& frame_effort) {
     effort = &frame_effort;
     out_of_time = false;
     samples.clear();
@@ -89,12 +91,15 @@ struct Detector::Workspace {
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
-    depth_camera = false;
-    if (result.status != Status::ok) return;
-    labeling.begin(cloud);
-    depth_camera = params.verify && params.inlier_depth_share > 0.0 && seenByDepthCamera(cloud, normal_source);
+    depth_camera = is_projected = false;
+    if (result.status != Status::ok) return cloud;
+    is_projected = !cloud.hasNormals() && projected.make(cloud);
+    const Cloud& seen = is_projected ? projected.image() : cloud;
+    labeling.begin(seen);
+    depth_camera = params.verify && params.inlier_depth_share > 0.0 && isDepthImage(seen);
     voting.setReferences(atThisEffort(params.references));
     verification.setMinInliers(inliersAtThisEffort());
+    return seen;
   }
 
   /// All but the memory of its lists.
@@ -239,10 +244,10 @@ struct Detector::Workspace {
     search.run(voters, result.scene_diameter, [&rest](std::uint32_t voter) { return rest[voter]; });
   }
 
-  /// What the measures are taken from: the cloud, or where it is large a part of it. A cloud that got its image back
-  /// stays whole: so is the image.
+  /// What the measures are taken from: the cloud, or where it is large a part of it. An image that was made of a cloud
+  /// stays whole: its pixels stand for different numbers of points.
   void thin(const Cloud& whole) {
-    normal_source.image ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
+    is_projected ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
     if (thinned.thinned()) labeling_of_thinned.begin(thinned.cloud());
   }
 
@@ -251,8 +256,18 @@ struct Detector::Workspace {
     far_sides.clear();
     if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, labels);
     pointsOfLabels(labels, mostPoints(), points);
+    if (is_projected) return countProjected();
     for (LabelledPoints& of_item : points) {
       of_item.all = static_cast<std::size_t>(std::llround(thinned.each() * static_cast<double>(of_item.all)));
+    }
+  }
+
+  /// A pixel may hold several points of the cloud.
+  void countProjected() {
+    for (LabelledPoints& of_item : points) of_item.all = 0;
+    for (const std::uint32_t pixel : projected.pixel()) {
+      const std::uint32_t label = labels[pixel];
+      if (label != 0 && label <= points.size()) ++points[label - 1].all;
     }
   }
 
@@ -282,9 +297,9 @@ struct Detector::Workspace {
     keepToTops();
     const Cloud& cloud = thinned.cloud();
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(),
-                            normal_source.image ? &*normal_source.image : nullptr);
-    const ImageRays rays = everySoMany(thinned.step(), raysOf(whole, normal_source));
+    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
+    // Pixels of a projected image are not where a camera's were.
+    const ImageRays rays = is_projected ? ImageRays() : everySoMany(thinned.step(), raysOf(whole, normal_source));
     Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
     const auto enough = [&](std::size_t k) {
       return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole);
@@ -317,7 +332,7 @@ struct Detector::Workspace {
   /// flank of a tube leaves over, and crumbs of clutter, pass for planes: these need more, and in an image, where every
   /// sample stands for as many pixels, twice as much.
   std::size_t fewestPoints(Kind kind, const Cloud& cloud) const {
-    const bool in_image = cloud.organized() && depth_camera;
+    const bool in_image = cloud.organized() && depth_camera && !is_projected;
     // Of the points that as many samples stand for on average.
     const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
     // Without the closer look each of the few samples stands for no more than it would with it.
@@ -344,6 +359,8 @@ struct Detector::Workspace {
   const Effort* effort = nullptr;  ///< only while a frame runs
   bool out_of_time = false;        ///< in this frame
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
+  bool is_projected = false;       ///< this frame is worked on as an image that was made of it
+  ProjectedImage projected;
   PairVoting voting;
   Verification verification;
   Search search;

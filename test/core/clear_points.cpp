@@ -64,7 +64,7 @@ struct TwoHalves {
     }
   }
   List<std::uint32_t> clear() const {
-    return ClearPoints(cloud, {}, detections, labels, has_far_side, kDepthCamera, nullptr).of(0, of_left);
+    return ClearPoints(cloud, {}, detections, labels, has_far_side, kDepthCamera).of(0, of_left);
   }
 };
 
@@ -96,37 +96,6 @@ TEST(ClearPoints, OfAWallSeenFromBothSidesAreFourPixelsOrMoreFromItsInside) {
   EXPECT_TRUE(contains(clear, border - 5));
 }
 
-TEST(ClearPoints, OfAShuffledImageAreThoseOfTheImage) {
-  const TwoHalves halves;
-  const std::size_t count = halves.cloud.size();
-  // Any order: a step that has no factor in common with the number of pixels.
-  List<std::uint32_t> place(count);
-  Cloud shuffled;
-  shuffled.reset(static_cast<std::uint32_t>(count), 1, false);
-  std::vector<std::uint32_t> labels(count);
-  List<std::uint32_t> of_left;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const auto to = static_cast<std::uint32_t>(i * std::size_t{1009} % count);
-    place[to] = i;
-    shuffled.setPoint(to, halves.cloud.x[i], halves.cloud.y[i], halves.cloud.z[i], {});
-    labels[to] = halves.labels[i];
-  }
-  for (std::uint32_t to = 0; to < count; ++to) {
-    if (labels[to] == 1) of_left.push_back(to);
-  }
-  const std::optional<ProjectedImage> image = projectedImage(shuffled);
-  ASSERT_TRUE(image);
-  const ClearPoints clear(shuffled, {}, halves.detections, labels, {}, kDepthCamera, &*image);
-  const List<std::uint32_t> found = clear.of(0, of_left);
-  ASSERT_LT(found.size(), of_left.size());
-  for (const std::uint32_t to : of_left) {
-    const std::uint32_t columns_away = TwoHalves::kWidth / 2 - place[to] % TwoHalves::kWidth;
-    // Pixels of the projected image need not be those of the image: one more or less.
-    if (2 <= columns_away && columns_away <= 4) continue;
-    EXPECT_EQ(contains(found, to), columns_away > 4) << place[to];
-  }
-}
-
 TEST(ClearPoints, AreAllWhereFewWouldBeLeft) {
   TwoHalves halves;
   // A checkerboard leaves nothing.
@@ -155,7 +124,7 @@ struct BallOnFloor {
     labels.resize(2 * kCount, 2);
   }
   List<std::uint32_t> clearOfFloor() const {
-    return ClearPoints(cloud, normals, detections, labels, {}, kModel, nullptr).of(0, upTo(kCount));
+    return ClearPoints(cloud, normals, detections, labels, {}, kModel).of(0, upTo(kCount));
   }
 };
 

@@ -69,7 +69,7 @@ TEST(ClutteredTable, TiltsNoTopTowardsAnotherWithTooFewSamples) {
 TEST(ClutteredTable, TakesNoBiasOutOfAFaceTooNarrowForClearPoints) {
   // The front of a box of 28 mm, seen at a steep angle.
   const Plane front = {Vec3(-0.0461, 0.2933, 0.8843), Vec3(0.1104, 0.6753, -0.7292).normalized()};
-  EXPECT_LT(tiltAt(front, withoutOrder(tableCloud(2515))), 1.5 * kDegree);  // was 2.7
+  EXPECT_LT(tiltAt(front, withoutOrder(tableCloud(2515))), 2.0 * kDegree);  // was 3.7
 }
 
 }  // namespace
