@@ -13,10 +13,9 @@ namespace primitect {
 /// A cloud as an image over x/z and y/z. Keeps its memory.
 class ProjectedImage {
  public:
-  /// Pixels as large as the points are apart; of two points in a pixel the image holds the nearer one, or of one surface
-  /// the first. False when the
-  /// cloud is organized, when points lie beside or behind the sensor, or when many pixels hold points of very different
-  /// depth: then it was not seen from the origin.
+  /// Pixels as large as the points are apart; of two points in a pixel the image holds the nearer one, or of one
+  /// surface the first. False when the cloud is organized, when points lie beside or behind the sensor, or when many
+  /// pixels hold points of very different depth: then it was not seen from the origin.
   bool make(const Cloud& cloud);
 
   const Cloud& image() const { return image_; }

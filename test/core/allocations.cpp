@@ -73,6 +73,14 @@ TEST_F(Allocations, AreNoneInDepthFramesThatWereSeen) {
   for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
 }
 
+TEST_F(Allocations, AreNoneInDepthFramesThatLostTheirOrder) {
+  std::vector<Cloud> clouds = tabletops(1, 2);
+  for (Cloud& cloud : clouds) cloud.width *= cloud.height, cloud.height = 1;
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
+}
+
 TEST_F(Allocations, AreNoneInLargeCloudsThatWereSeen) {
   std::vector<Cloud> clouds = tabletops(1, 2, synthetic::PinholeCamera().scaledTo(1280, 960));
   Detector detector{Params()};
