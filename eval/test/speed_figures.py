@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""eval/speed and eval/latency: medians, percentiles, ratios, drops and verdicts, on times made up for it."""
+"""eval/speed, eval/latency and eval/profile: medians, percentiles, ratios, drops, verdicts and shares, on times and stacks
+made up for it."""
 import os
 import sys
 import tempfile
@@ -10,7 +11,7 @@ sys.dont_write_bytecode = True
 EVAL = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, EVAL)
 
-from report import latency, speed, speed_page, speed_plots, speed_runs, tables  # noqa: E402
+from report import latency, profile, speed, speed_page, speed_plots, speed_runs, tables  # noqa: E402
 
 
 def case(times, stages=None, **facts):
@@ -179,6 +180,57 @@ def test_four_cameras_and_memory_have_targets():
     assert [speed.verdict(t) for t in latency.targets(result)] == [
         speed.REACHED, speed.REACHED, speed.MISSED, speed.REACHED]
     assert {speed.verdict(t) for t in latency.targets({"scenarios": {}})} == {speed.UNKNOWN}
+
+
+# As perf script prints them: two stacks of known steps, one of none, one cut off, one of the program that measures.
+STACKS = """
+            1 primitect::(anonymous namespace)::kernel
+            2 primitect::estimateNormals
+            3 primitect::Detector::detect
+            4 main
+
+            1 primitect::Labeling::findUnexplained
+            2 primitect::Detector::Workspace::lookCloser
+            3 primitect::Detector::detect
+
+            1 memset
+            2 primitect::Detector::detect
+
+            1 primitect::measureSharedNoise
+            2 [unknown]
+
+            1 primitect::synthetic::estimateNormals
+            2 main
+"""
+
+
+def test_a_profile_gives_each_stack_of_a_frame_to_one_step():
+    shares = profile.shares_of(list(profile.stacks_of(STACKS)))
+    named = {step.stage if step else step: share for step, share in shares.items()}
+    assert named == {"normals": 0.25, "sample": 0.25, None: 0.25, "measure": 0.25}, named
+
+
+def test_a_profile_of_nothing_has_no_shares():
+    assert profile.shares_of(list(profile.stacks_of("\n"))) == {}
+
+
+def test_a_profile_lists_steps_in_order_with_their_part_of_the_frame():
+    shares = profile.shares_of(list(profile.stacks_of(STACKS)))
+    rows = profile.table(shares, "a case", 8.0).rows
+    assert [cells[0].value for _, cells in rows] == ["sample", "normals", "measure", ""]
+    assert {cells[2].value for _, cells in rows} == {2.0} and rows[-1][0] == profile.OTHER
+
+
+def test_the_functions_that_a_profile_looks_for_are_there():
+    source = ""
+    for folder, _, files in os.walk(os.path.join(os.path.dirname(EVAL), "src", "core")):
+        for name in files:
+            with open(os.path.join(folder, name), encoding="utf-8") as file:
+                source += file.read()
+    for step in profile.STEPS:
+        for function in step.functions:
+            last = [part for part in function.split("::") if part][-1]
+            assert last in source, function
 
 
 if __name__ == "__main__":
