@@ -205,8 +205,8 @@ TEST(Detector, FindsASmallBallAmongAMillionPoints) {
   }
 }
 
-TEST(Detector, MeasuresOnAPartOfALargeImageAndCountsAllOfIt) {
-  // A wall, and a box before it that the right border of the image cuts.
+/// 1280 x 960 pixels of a wall, and of a box before it that the right border of the image cuts: 280 x 400 pixels.
+Cloud largeImageOfWallAndBox() {
   constexpr int kWidth = 1280, kHeight = 960, kBoxLeft = 1000, kBoxTop = 300, kBoxBottom = 700;
   constexpr double kFocal = 1140.0;
   Random random(49);
@@ -221,6 +221,11 @@ TEST(Detector, MeasuresOnAPartOfALargeImageAndCountsAllOfIt) {
                      static_cast<float>((row - 479.5) / kFocal * depth), static_cast<float>(depth), {});
     }
   }
+  return cloud;
+}
+
+TEST(Detector, MeasuresOnAPartOfALargeImageAndCountsAllOfIt) {
+  const Cloud cloud = largeImageOfWallAndBox();
   Detector detector{Params()};
   const Detections& result = detector.detect(cloud);
   ASSERT_EQ(result.items.size(), 2u);
@@ -240,6 +245,17 @@ TEST(Detector, MeasuresOnAPartOfALargeImageAndCountsAllOfIt) {
     const auto labelled = static_cast<double>(std::count(labels.begin(), labels.end(), k + 1));
     EXPECT_NEAR(labelled, truth, 0.1 * truth);
   }
+}
+
+TEST(Detector, HoldsManyInliersAgainstAllPointsOfALargeImage) {
+  // More than the last fit takes of a plane.
+  Params params;
+  params.samples = 12000;
+  params.min_inliers = 3000;  // with depth cameras three quarters of it
+  Detector detector{params};
+  const Detections& result = detector.detect(largeImageOfWallAndBox());
+  ASSERT_EQ(result.items.size(), 1u);
+  EXPECT_NEAR(std::get<Plane>(result.items[0].shape).point.z(), 1.2, 1e-4);
 }
 
 TEST(Detector, RefusesAHandfulOfPointsInALargeCloud) {
