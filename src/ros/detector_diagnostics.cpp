@@ -68,14 +68,15 @@ void DetectorDiagnostics::startAnew() {
   last_error_.clear();
 }
 
+bool DetectorDiagnostics::silent() const { return subscribed_ && secondsSince(last_frame_) > kSilenceSeconds; }
+
 void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
-  const double silence = secondsSince(last_frame_);
   if (!last_error_.empty()) {
     status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
   } else if (!subscribed_) {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
-  } else if (silence > kSilenceSeconds) {
-    status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", silence);
+  } else if (silent()) {
+    status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", secondsSince(last_frame_));
   } else {
     status.summary(DiagnosticStatus::OK, "receiving");
   }

@@ -47,6 +47,9 @@ class DetectorDiagnostics {
   void publish(bool subscribed, const StageTimes& times, const LatencyGovernor* governor);
   void startAnew();
 
+  /// Subscribed for some seconds, and no cloud came; as of the last publish().
+  bool silent() const;
+
  private:
   void fillInput(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillDetection(diagnostic_updater::DiagnosticStatusWrapper& status) const;

@@ -125,6 +125,17 @@ void DetectorNodelet::warnIfHopeless() {
                                 << governor->bound() << " s");
 }
 
+void DetectorNodelet::warnIfSilent() {
+  const bool silent = diagnostics_->silent();
+  if (silent && !told_silent_) {
+    const std::uint32_t publishers = input_.getNumPublishers();
+    NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for 5 s; "
+                                  << (publishers == 0 ? "nobody publishes it (launch files take input:=TOPIC)"
+                                                      : std::to_string(publishers) + " could publish it"));
+  }
+  told_silent_ = silent;
+}
+
 void DetectorNodelet::publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message) {
   if (primitives_.getNumSubscribers() > 0) primitives_.publish(message);
   if (markers_.getNumSubscribers() > 0) {
@@ -187,6 +198,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
 void DetectorNodelet::onDiagnosticsTimer() try {
   const Lock lock(mutex_);
   diagnostics_->publish(static_cast<bool>(input_), pipeline_->times(), pipeline_->governor());
+  warnIfSilent();
 } catch (const std::exception& error) {
   NODELET_ERROR_STREAM(getName() << " could not publish diagnostics: " << error.what());
 }

@@ -42,6 +42,8 @@ class DetectorNodelet : public nodelet::Nodelet {
   void publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message);
   /// Once, or once more after parameters changed.
   void warnIfHopeless();
+  /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
+  void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
   /// Moves the primitives to target_frame; empty, or why that is not possible.
   std::string toTargetFrame(PrimitiveArray& message);
@@ -56,6 +58,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   MarkerStyle marker_style_;
   ros::Time last_stamp_;
   bool told_hopeless_ = false;
+  bool told_silent_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;

@@ -11,6 +11,7 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from primitect.msg import PrimitiveArray
 from ros_helpers import Collector, cloud_message, wait_for, wall_and_ball
+from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import PointCloud2
 from visualization_msgs.msg import MarkerArray
 
@@ -63,6 +64,21 @@ class LazyOutputs(unittest.TestCase):
                 self.assertTrue(wait_for(lambda: output.last() is not None), "nothing came")
                 output.stop()
                 self.assertTrue(wait_for(self.asleep), "subscribed without need")
+
+    def test_silence_is_told_in_the_log_once(self):
+        log = Collector("/rosout", Log)
+        output = Collector("/detector/primitives", PrimitiveArray)
+
+        def told():
+            return [entry for entry in log.all() if "no cloud on /cloud for 5 s" in entry.msg]
+
+        # The latched cloud comes, and then no other.
+        self.assertTrue(wait_for(lambda: output.last() is not None and told()))
+        self.assertEqual(told()[0].level, Log.WARN)
+        self.wait_for_reports(3)
+        self.assertEqual(len(told()), 1)
+        output.stop()
+        log.stop()
 
     def test_labels_are_organized_like_the_input(self):
         labels = Collector("/detector/labels", PointCloud2)
