@@ -41,27 +41,19 @@ View viewOf(const Cloud& cloud) {
 
 }  // namespace
 
-bool ProjectedImage::make(const Cloud& cloud) {
+/// Returns how many points lie in a pixel with one of another surface.
+std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, float pitch) {
   constexpr float kOtherSurface = 0.1f;  // of the depth
-  constexpr double kMostHidden = 0.05;   // of the points
   // Times the depth: of two points this near each other the first one stays. The nearer one would be the one that noise
   // moved towards the sensor.
   constexpr float kSameSurface = 1.02f;
-  if (cloud.organized() || cloud.behind_count > 0) return false;
-  const View view = viewOf(cloud);
-  const float width = view.right - view.left, height = view.bottom - view.top;
-  if (!view.in_front || !(width > 0.0f && height > 0.0f)) return false;
-  const float pitch = std::sqrt(width * height / static_cast<float>(cloud.valid_count));
-  const auto columns = static_cast<std::uint32_t>(width / pitch) + 1,
-             rows = static_cast<std::uint32_t>(height / pitch) + 1;
-  image_.reset(columns, rows, false);
   pixel_.assign(cloud.size(), 0);
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
-    const auto column = static_cast<std::uint32_t>((cloud.x[i] / cloud.z[i] - view.left) / pitch);
-    const auto row = static_cast<std::uint32_t>((cloud.y[i] / cloud.z[i] - view.top) / pitch);
-    const std::uint32_t pixel = std::min(row, rows - 1) * columns + std::min(column, columns - 1);
+    const auto column = static_cast<std::uint32_t>((cloud.x[i] / cloud.z[i] - left) / pitch);
+    const auto row = static_cast<std::uint32_t>((cloud.y[i] / cloud.z[i] - top) / pitch);
+    const std::uint32_t pixel = std::min(row, image_.height - 1) * image_.width + std::min(column, image_.width - 1);
     pixel_[i] = pixel;
     const float there = image_.z[pixel];
     if (std::fabs(there - cloud.z[i]) > kOtherSurface * cloud.z[i]) ++hidden;
@@ -69,7 +61,30 @@ bool ProjectedImage::make(const Cloud& cloud) {
     if (!image_.valid(pixel)) ++image_.valid_count;
     image_.x[pixel] = cloud.x[i], image_.y[pixel] = cloud.y[i], image_.z[pixel] = cloud.z[i];
   }
-  return static_cast<double>(hidden) <= kMostHidden * cloud.valid_count;
+  return hidden;
+}
+
+bool ProjectedImage::make(const Cloud& cloud) {
+  constexpr double kMostHidden = 0.05, kLeastKept = 0.5;  // of the points
+  constexpr int kTimes = 3;
+  if (cloud.organized() || cloud.behind_count > 0) return false;
+  const View view = viewOf(cloud);
+  const float width = view.right - view.left, height = view.bottom - view.top;
+  if (!view.in_front || !(width > 0.0f && height > 0.0f)) return false;
+  const float points = static_cast<float>(cloud.valid_count), most_pixels = std::max(8.0f * points, 1048576.0f);
+  float pitch = std::sqrt(width * height / points);
+  for (int time = 0; time < kTimes; ++time) {
+    const float columns = std::floor(width / pitch) + 1.0f, rows = std::floor(height / pitch) + 1.0f;
+    // Points along a line fill no image.
+    if (!(columns * rows < most_pixels && columns < points && rows < points)) return false;
+    image_.reset(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), false);
+    const std::size_t hidden = project(cloud, view.left, view.top, pitch);
+    const double kept = static_cast<double>(image_.valid_count) / cloud.valid_count;
+    if (kept >= kLeastKept) return static_cast<double>(hidden) <= kMostHidden * cloud.valid_count;
+    // Most of what is in view is empty: a few points far from all others, say.
+    pitch *= static_cast<float>(std::sqrt(kept));
+  }
+  return false;
 }
 
 }  // namespace primitect

@@ -13,8 +13,9 @@ namespace primitect {
 /// A cloud as an image over x/z and y/z. Keeps its memory.
 class ProjectedImage {
  public:
-  /// Pixels as large as the points are apart; of two points in a pixel the image holds the nearer one, or of one
-  /// surface the first. False when the cloud is organized, when points lie beside or behind the sensor, or when many
+  /// Pixels as large as the points are apart, smaller where much of the view is empty; of two points in a pixel the
+  /// image holds the nearer one, or of one surface the first. False when the cloud is organized, when points lie beside
+  /// or behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when many
   /// pixels hold points of very different depth: then it was not seen from the origin.
   bool make(const Cloud& cloud);
 
@@ -23,6 +24,8 @@ class ProjectedImage {
   const List<std::uint32_t>& pixel() const { return pixel_; }
 
  private:
+  std::size_t project(const Cloud& cloud, float left, float top, float pitch);
+
   Cloud image_;
   List<std::uint32_t> pixel_;
 };

@@ -93,7 +93,7 @@ struct Detector::Workspace {
     result.status = statusOf(cloud);
     depth_camera = is_projected = false;
     if (result.status != Status::ok) return cloud;
-    is_projected = !cloud.hasNormals() && projected.make(cloud);
+    is_projected = !cloud.hasNormals() && projected.make(cloud) && statusOf(projected.image()) == Status::ok;
     const Cloud& seen = is_projected ? projected.image() : cloud;
     labeling.begin(seen);
     depth_camera = params.verify && params.inlier_depth_share > 0.0 && isDepthImage(seen);

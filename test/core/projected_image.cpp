@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Unorganized clouds and the image that they are put into.
+#include "core/projected_image.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "core/random.h"
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+Cloud cloudOf(const std::vector<Vec3>& points) {
+  Cloud cloud;
+  cloud.reset(static_cast<std::uint32_t>(points.size()), 1, false);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f p = points[i].cast<float>();
+    cloud.setPoint(i, p.x(), p.y(), p.z(), {});
+  }
+  return cloud;
+}
+
+/// Side by side in a square of this width (m), this far away.
+std::vector<Vec3> square(int per_side, double width, double depth) {
+  std::vector<Vec3> points;
+  for (int row = 0; row < per_side; ++row) {
+    for (int column = 0; column < per_side; ++column) {
+      points.emplace_back(width * column / (per_side - 1), width * row / (per_side - 1), depth);
+    }
+  }
+  return points;
+}
+
+TEST(ProjectedImage, HoldsPointsWhereTheyAreSeen) {
+  const Cloud cloud = cloudOf(square(60, 0.6, 1.0));
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  const Cloud& image = projected.image();
+  EXPECT_TRUE(image.organized());
+  ASSERT_EQ(projected.pixel().size(), cloud.size());
+  std::size_t held = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::uint32_t pixel = projected.pixel()[i];
+    ASSERT_LT(pixel, image.size());
+    EXPECT_TRUE(image.valid(pixel));
+    held += image.x[pixel] == cloud.x[i] && image.y[pixel] == cloud.y[i] ? 1 : 0;
+    EXPECT_NEAR(image.x[pixel], cloud.x[i], 0.02);
+  }
+  EXPECT_EQ(held, image.valid_count);
+  EXPECT_GT(held, cloud.size() / 2);
+}
+
+TEST(ProjectedImage, KeepsTheFirstOfASurfaceAndTheNearerOfTwoSurfaces) {
+  std::vector<Vec3> points = square(40, 0.4, 1.0);
+  const std::size_t same = points.size(), nearer = same + 1;
+  points.push_back(0.99 * points[820]);  // noise alone would put every second one there
+  points.push_back(0.7 * points[410]);
+  const Cloud cloud = cloudOf(points);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  EXPECT_NE(projected.image().z[projected.pixel()[same]], cloud.z[same]);
+  EXPECT_EQ(projected.image().z[projected.pixel()[nearer]], cloud.z[nearer]);
+}
+
+TEST(ProjectedImage, IsAsFineAsThePointsAlsoWhereAFewLieFarAside) {
+  std::vector<Vec3> points = square(60, 0.3, 1.0);
+  points.emplace_back(-1.0, -1.0, 1.0);
+  points.emplace_back(1.0, 1.0, 1.0);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloudOf(points)));
+  EXPECT_GT(projected.image().valid_count, points.size() / 2);
+}
+
+TEST(ProjectedImage, IsNotMadeOfPointsAlongALine) {
+  Random random(3);
+  std::vector<Vec3> scan;
+  for (int i = 0; i < 2000; ++i) scan.emplace_back(0.001 * i, 1e-12 * random.uniform(), 1.5);
+  EXPECT_FALSE(ProjectedImage().make(cloudOf(scan)));
+  for (Vec3& point : scan) point.y() = 0.0;
+  EXPECT_FALSE(ProjectedImage().make(cloudOf(scan)));
+}
+
+TEST(ProjectedImage, IsNotMadeOfWhatNoCameraSeesFromOnePlace) {
+  // Two walls, one behind the other, both as dense as if nothing hid the farther one.
+  std::vector<Vec3> points = square(60, 0.6, 1.0);
+  for (const Vec3& point : square(60, 1.2, 2.0)) points.push_back(point);
+  EXPECT_FALSE(ProjectedImage().make(cloudOf(points)));
+  points = square(60, 0.6, 1.0);
+  points.emplace_back(0.0, 0.0, -1.0);
+  EXPECT_FALSE(ProjectedImage().make(cloudOf(points)));
+  EXPECT_FALSE(ProjectedImage().make(test::cameraCloud(Vec3::UnitZ(), 1.0)));
+  EXPECT_FALSE(ProjectedImage().make(Cloud()));
+}
+
+}  // namespace
+}  // namespace primitect
