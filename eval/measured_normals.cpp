@@ -3,6 +3,7 @@
 // The points as samples, and their normals back; see measured_normals.h.
 #include "eval/measured_normals.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -35,19 +36,22 @@ void clearNormals(Cloud& cloud) {
 }
 
 void measureNormals(const std::vector<std::uint32_t>& points, Cloud& cloud) {
-  Samples samples = samplesAt(points, cloud);
   Params params;
   params.use_cloud_normals = false;
   ProjectedImage projected;
   const bool is_projected = projected.make(cloud);
+  std::vector<std::uint32_t> held = points;
+  if (is_projected) {
+    const auto outside = [&](std::uint32_t point) { return projected.pixel()[point] == ProjectedImage::kNoPixel; };
+    held.erase(std::remove_if(held.begin(), held.end(), outside), held.end());
+  }
+  Samples samples = samplesAt(held, cloud);
   if (is_projected) {
     for (std::uint32_t& index : samples.index) index = projected.pixel()[index];
   }
   NormalSource source;
   estimateNormals(is_projected ? projected.image() : cloud, params, source, samples);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    cloud.setNormal(points[k], samples.nx[k], samples.ny[k], samples.nz[k]);
-  }
+  for (std::size_t k = 0; k < held.size(); ++k) cloud.setNormal(held[k], samples.nx[k], samples.ny[k], samples.nz[k]);
 }
 
 }  // namespace primitect::eval

@@ -55,10 +55,10 @@ void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed) {
       kept.push_back(i);
       continue;
     }
-    cloud.valid_count -= cloud.valid(i) ? 1 : 0;
     cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
   }
   if (!cloud.organized()) keepOnly(kept, cloud);
+  cloud.countPoints();
 }
 
 void shufflePoints(Cloud& cloud, std::uint64_t seed) {

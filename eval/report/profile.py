@@ -13,6 +13,7 @@ PERCENT = 100.0
 # The first one whose functions a stack holds is its step: what is called from several comes first.
 Step = namedtuple("Step", "stage name functions")
 STEPS = (
+    Step("sample", "the image of a cloud that lost its order", ("ProjectedImage::make",)),
     Step("sample", "runs of the cloud's points", ("findRuns", "findSomeRuns", "Labeling::begin")),
     Step("sample", "points of large planes, left out of the closer look", ("Labeling::findUnexplained",)),
     Step("sample", "draw, order along a curve", ("Sampler::",)),

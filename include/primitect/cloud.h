@@ -31,7 +31,7 @@ struct Cloud {
   std::vector<float> nx, ny, nz;  ///< unit normals as long as x, or empty when the source brought none
   std::uint32_t width = 0;
   std::uint32_t height = 0;        ///< above 1: organized, a pixel's neighbours are its neighbours in space
-  std::uint32_t valid_count = 0;   ///< points that are not missing
+  std::uint32_t valid_count = 0;   ///< points that are not missing; who writes x, y and z keeps it (countPoints)
   std::uint32_t behind_count = 0;  ///< of these, points with z <= 0, where no depth camera measures
 
   std::size_t size() const { return x.size(); }
@@ -47,6 +47,9 @@ struct Cloud {
 
   /// The same without making them missing: every point must be set or checked, and with normals every normal set.
   void prepare(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
+
+  /// Sets both counts from the points, for those who wrote x, y and z themselves.
+  void countPoints();
 
   /// Farther than this (m) in x, y or z is no measurement: squares would leave the range of float.
   static constexpr float kFarthest = 1e6f;

@@ -24,6 +24,13 @@ void Cloud::prepare(std::uint32_t new_width, std::uint32_t new_height, bool with
   for (std::vector<float>* values : {&nx, &ny, &nz}) values->resize(with_normals ? count : 0);
 }
 
+void Cloud::countPoints() {
+  const auto measured = [](float depth) { return !std::isnan(depth); };
+  const auto behind = [](float depth) { return depth <= 0.0f; };
+  valid_count = static_cast<std::uint32_t>(std::count_if(z.begin(), z.end(), measured));
+  behind_count = static_cast<std::uint32_t>(std::count_if(z.begin(), z.end(), behind));
+}
+
 void Cloud::checkPoints(std::size_t begin, std::size_t end, const DepthRange& range) {
   constexpr float kAny = std::numeric_limits<float>::infinity();
   const kernels::PointBounds bounds = {kFarthest, range.min > 0.0f ? range.min : -kAny,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace primitect {
 namespace {
@@ -76,12 +77,13 @@ PixelPitch pitchOf(const ImageRays& rays) {
 
 ImageRays findRays(const Cloud& cloud) {
   ImageRays rays;
-  if (!cloud.organized()) return rays;
-  // A prime step visits all columns. More pixels would tell no more, and each is a miss of the cache.
+  if (!cloud.organized() || cloud.valid_count == 0) return rays;
+  // More pixels would tell no more, and each is a miss of the cache.
   constexpr std::size_t kStep = 499, kEnough = 2048;
   constexpr double kFewest = 10.0, kLargestMisfit = 1.0 / 3.0;
   Line across, down;
-  const std::size_t step = kStep * std::max<std::size_t>(1, cloud.size() / (kStep * kEnough));
+  std::size_t step = kStep * std::max<std::size_t>(1, cloud.size() / (kStep * kEnough));
+  while (std::gcd(step, static_cast<std::size_t>(cloud.width)) > 1) ++step;  // then it visits all columns
   for (std::size_t i = 0; i < cloud.size(); i += step) {
     if (!cloud.valid(i) || !(cloud.z[i] > 0.0f)) continue;
     across.add(static_cast<double>(i % cloud.width), static_cast<double>(cloud.x[i]) / cloud.z[i]);

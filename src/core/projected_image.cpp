@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.h"
+
 namespace primitect {
 namespace {
 
@@ -39,6 +41,36 @@ View viewOf(const Cloud& cloud) {
   return view;
 }
 
+/// Narrows [first, last] to where these values lie, unless nearly all of it is needed.
+void narrow(List<float>& values, float& first, float& last) {
+  constexpr double kAside = 0.002, kMargin = 0.1;  // share of the values at either end; of what is between them
+  constexpr float kMuchWider = 1.5f;
+  const auto aside = static_cast<std::ptrdiff_t>(kAside * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + aside, values.end());
+  const float low = values[aside];
+  std::nth_element(values.begin(), values.end() - 1 - aside, values.end());
+  const float high = *(values.end() - 1 - aside), margin = static_cast<float>(kMargin) * (high - low);
+  if (last - first <= kMuchWider * (high - low)) return;
+  first = std::max(first, low - margin), last = std::min(last, high + margin);
+}
+
+/// Leaves a few points far aside out of the view: two of them would make the image as large as they like.
+void leaveOutStrays(const Cloud& cloud, View& view) {
+  constexpr int kLookedAt = 4096;
+  constexpr std::size_t kFewest = 512;
+  Random random(1);
+  List<float> u, v;
+  for (int k = 0; k < kLookedAt; ++k) {
+    const std::size_t i = random.below(cloud.size());
+    if (!cloud.valid(i)) continue;
+    u.push_back(cloud.x[i] / cloud.z[i]);
+    v.push_back(cloud.y[i] / cloud.z[i]);
+  }
+  if (u.size() < kFewest) return;
+  narrow(u, view.left, view.right);
+  narrow(v, view.top, view.bottom);
+}
+
 }  // namespace
 
 /// Returns how many points lie in a pixel with one of another surface.
@@ -47,13 +79,13 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
   // Times the depth: of two points this near each other the first one stays. The nearer one would be the one that noise
   // moved towards the sensor.
   constexpr float kSameSurface = 1.02f;
-  pixel_.assign(cloud.size(), 0);
+  const auto columns = static_cast<float>(image_.width), rows = static_cast<float>(image_.height);
+  pixel_.assign(cloud.size(), kNoPixel);
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!cloud.valid(i)) continue;
-    const auto column = static_cast<std::uint32_t>((cloud.x[i] / cloud.z[i] - left) / pitch);
-    const auto row = static_cast<std::uint32_t>((cloud.y[i] / cloud.z[i] - top) / pitch);
-    const std::uint32_t pixel = std::min(row, image_.height - 1) * image_.width + std::min(column, image_.width - 1);
+    const float column = (cloud.x[i] / cloud.z[i] - left) / pitch, row = (cloud.y[i] / cloud.z[i] - top) / pitch;
+    if (!(0.0f <= column && column < columns && 0.0f <= row && row < rows)) continue;  // NaN, a missing point, neither
+    const std::uint32_t pixel = static_cast<std::uint32_t>(row) * image_.width + static_cast<std::uint32_t>(column);
     pixel_[i] = pixel;
     const float there = image_.z[pixel];
     if (std::fabs(there - cloud.z[i]) > kOtherSurface * cloud.z[i]) ++hidden;
@@ -65,26 +97,45 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
 }
 
 bool ProjectedImage::make(const Cloud& cloud) {
-  constexpr double kMostHidden = 0.05, kLeastKept = 0.5;  // of the points
-  constexpr int kTimes = 3;
-  if (cloud.organized() || cloud.behind_count > 0) return false;
-  const View view = viewOf(cloud);
+  constexpr double kMostHidden = 0.05;             // of the points
+  constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
+  constexpr int kTimes = 5;
+  if (cloud.organized() || cloud.valid_count == 0 || cloud.behind_count > 0) return false;
+  View view = viewOf(cloud);
+  if (!view.in_front) return false;
+  leaveOutStrays(cloud, view);
   const float width = view.right - view.left, height = view.bottom - view.top;
-  if (!view.in_front || !(width > 0.0f && height > 0.0f)) return false;
-  const float points = static_cast<float>(cloud.valid_count), most_pixels = std::max(8.0f * points, 1048576.0f);
-  float pitch = std::sqrt(width * height / points);
+  if (!(width > 0.0f && height > 0.0f)) return false;
+  const double points = cloud.valid_count, most_pixels = std::max(8.0 * points, 1048576.0);
+  double rays = points, before = 0.0, pixel_size = width * height / rays;
   for (int time = 0; time < kTimes; ++time) {
-    const float columns = std::floor(width / pitch) + 1.0f, rows = std::floor(height / pitch) + 1.0f;
+    const auto pitch = static_cast<float>(std::sqrt(pixel_size));
+    const double columns = std::floor(width / pitch) + 1.0, rows = std::floor(height / pitch) + 1.0;
     // Points along a line fill no image.
     if (!(columns * rows < most_pixels && columns < points && rows < points)) return false;
     image_.reset(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), false);
     const std::size_t hidden = project(cloud, view.left, view.top, pitch);
-    const double kept = static_cast<double>(image_.valid_count) / cloud.valid_count;
-    if (kept >= kLeastKept) return static_cast<double>(hidden) <= kMostHidden * cloud.valid_count;
-    // Most of what is in view is empty: a few points far from all others, say.
-    pitch *= static_cast<float>(std::sqrt(kept));
+    const double held = image_.valid_count;
+    if (held >= kLeastKept * rays) return static_cast<double>(hidden) <= kMostHidden * points;
+    if (held < kMore * before) {
+      // Finer pixels part no more points: those that are left share their rays.
+      rays = held, before = 0.0, pixel_size = width * height / rays;
+    } else {
+      // Most of what is in view is empty.
+      pixel_size *= held / rays, before = held;
+    }
   }
   return false;
+}
+
+List<std::size_t> ProjectedImage::pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t most) const {
+  List<std::size_t> of_label(most + 1, 0);
+  for (const std::uint32_t pixel : pixel_) {
+    const std::uint32_t label = pixel == kNoPixel ? 0 : labels[pixel];
+    if (label <= most) ++of_label[label];
+  }
+  of_label.erase(of_label.begin());
+  return of_label;
 }
 
 }  // namespace primitect

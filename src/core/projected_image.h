@@ -3,27 +3,36 @@
 // The image that an unorganized cloud of one depth camera once was: filtered or shuffled clouds get it back.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/frame_memory.h"
 #include "primitect/cloud.h"
 
 namespace primitect {
 
-/// A cloud as an image over x/z and y/z. Keeps its memory.
+/// A cloud as an image over x/z and y/z (tangents). Keeps its memory.
 class ProjectedImage {
  public:
-  /// Pixels as large as the points are apart, smaller where much of the view is empty; of two points in a pixel the
-  /// image holds the nearer one, or of one surface the first. False when the cloud is organized, when points lie beside
-  /// or behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when many
-  /// pixels hold points of very different depth: then it was not seen from the origin.
+  /// Of points that the image does not hold the place of: missing ones, and a few far aside.
+  static constexpr std::uint32_t kNoPixel = 0xffffffffu;
+
+  /// Pixels as large as the points are apart, smaller where much of the view is empty; points that share their rays,
+  /// like those of several frames, count once. Of two points in a pixel the image holds the nearer one, or of one
+  /// surface the first. False when the cloud is organized, when points lie beside or behind the sensor or along a line,
+  /// when no reasonable size of the pixels keeps half of the points, or when many pixels hold points of very different
+  /// depth: then it was not seen from the origin.
   bool make(const Cloud& cloud);
 
   const Cloud& image() const { return image_; }
-  /// Of each point of the cloud; of missing points: 0.
+  /// Of each point of the cloud.
   const List<std::uint32_t>& pixel() const { return pixel_; }
+  /// How many points of the cloud lie in pixels with each of the labels 1, 2, ..., most.
+  List<std::size_t> pointsOfLabels(const std::vector<std::uint32_t>& labels, std::size_t most) const;
 
  private:
+  /// Into image_, which is empty and as large as is needed; left, top and pitch are tangents.
   std::size_t project(const Cloud& cloud, float left, float top, float pitch);
 
   Cloud image_;

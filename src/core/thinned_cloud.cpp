@@ -25,11 +25,6 @@ std::size_t measuredIn(const PointRuns& runs) {
   return count;
 }
 
-std::uint32_t measuredOf(const Cloud& cloud) {
-  const auto measured = [](float z) { return !std::isnan(z); };
-  return static_cast<std::uint32_t>(std::count_if(cloud.z.begin(), cloud.z.end(), measured));
-}
-
 }  // namespace
 
 void ThinnedCloud::thinImage(const Cloud& whole) {
@@ -90,7 +85,7 @@ void ThinnedCloud::begin(const Cloud& cloud, const PointRuns& some) {
   keep(cloud);
   const double expected = copy(cloud, some);
   if (expected == 1.0) return;
-  part_.valid_count = measuredOf(part_);
+  part_.countPoints();
   if (static_cast<double>(cloud.valid_count) > kPattern * expected * part_.valid_count) return keep(cloud);
   cloud_ = &part_;
   each_ = static_cast<double>(cloud.valid_count) / static_cast<double>(part_.valid_count);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -256,18 +258,13 @@ struct Detector::Workspace {
     far_sides.clear();
     if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, labels);
     pointsOfLabels(labels, mostPoints(), points);
-    if (is_projected) return countProjected();
+    if (is_projected) {  // a pixel may hold several points of the cloud
+      const List<std::size_t> all = projected.pointsOfLabels(labels, points.size());
+      for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
+      return;
+    }
     for (LabelledPoints& of_item : points) {
       of_item.all = static_cast<std::size_t>(std::llround(thinned.each() * static_cast<double>(of_item.all)));
-    }
-  }
-
-  /// A pixel may hold several points of the cloud.
-  void countProjected() {
-    for (LabelledPoints& of_item : points) of_item.all = 0;
-    for (const std::uint32_t pixel : projected.pixel()) {
-      const std::uint32_t label = labels[pixel];
-      if (label != 0 && label <= points.size()) ++points[label - 1].all;
     }
   }
 

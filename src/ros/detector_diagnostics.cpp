@@ -12,7 +12,6 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
 /// A subscribed input that is silent for longer is worth a warning (s).
-constexpr double kSilenceSeconds = 5.0;
 
 }  // namespace
 

@@ -47,7 +47,10 @@ class DetectorDiagnostics {
   void publish(bool subscribed, const StageTimes& times, const LatencyGovernor* governor);
   void startAnew();
 
-  /// Subscribed for some seconds, and no cloud came; as of the last publish().
+  /// No cloud for longer than this (s), while subscribed, is silence.
+  static constexpr double kSilenceSeconds = 5.0;
+
+  /// As of the last publish().
   bool silent() const;
 
  private:

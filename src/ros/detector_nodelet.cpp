@@ -129,7 +129,8 @@ void DetectorNodelet::warnIfSilent() {
   const bool silent = diagnostics_->silent();
   if (silent && !told_silent_) {
     const std::uint32_t publishers = input_.getNumPublishers();
-    NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for 5 s; "
+    NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for "
+                                  << DetectorDiagnostics::kSilenceSeconds << " s; "
                                   << (publishers == 0 ? "nobody publishes it (launch files take input:=TOPIC)"
                                                       : std::to_string(publishers) + " could publish it"));
   }

@@ -108,7 +108,7 @@ Cloud noisyCloud(const std::vector<Vec3>& points, const std::vector<Vec3>& norma
     cloud.y[i] = point.y();
     cloud.z[i] = point.z();
   }
-  cloud.valid_count = static_cast<std::uint32_t>(cloud.size());
+  cloud.countPoints();
   return cloud;
 }
 

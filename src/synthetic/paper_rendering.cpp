@@ -42,7 +42,7 @@ Cloud toCloud(const PaperRendering& seen) {
     cloud.y[i] = point.y();
     cloud.z[i] = point.z();
   }
-  cloud.valid_count = static_cast<std::uint32_t>(cloud.size());
+  cloud.countPoints();
   return cloud;
 }
 

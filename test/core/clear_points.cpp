@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 
 #include "core/extent.h"
 #include "core/far_sides.h"

@@ -154,11 +154,9 @@ TEST(Detector, DoesWithoutPointsOrNormalsThatAreMissing) {
   Cloud cloud = test::cloudOf(bowlAndBall());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (random.uniform() < 0.2) cloud.nx[i] = cloud.ny[i] = cloud.nz[i] = kMissing;
-    if (random.uniform() < 0.2) {
-      cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
-      --cloud.valid_count;
-    }
+    if (random.uniform() < 0.2) cloud.x[i] = cloud.y[i] = cloud.z[i] = kMissing;
   }
+  cloud.countPoints();
   Detector detector{Params()};
   const Detections& result = detector.detect(cloud);
   EXPECT_EQ(of(Kind::sphere, result.items).size(), 1u);

@@ -76,6 +76,48 @@ TEST(ProjectedImage, IsAsFineAsThePointsAlsoWhereAFewLieFarAside) {
   EXPECT_GT(projected.image().valid_count, points.size() / 2);
 }
 
+TEST(ProjectedImage, HoldsNoPlaceOfMissingPoints) {
+  std::vector<Vec3> points = square(60, 0.6, 1.0);
+  points.insert(points.begin() + 100, Vec3::Zero());
+  const Cloud cloud = cloudOf(points);
+  ASSERT_FALSE(cloud.valid(100));
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  EXPECT_EQ(projected.pixel()[100], ProjectedImage::kNoPixel);
+  const std::vector<std::uint32_t> labels(projected.image().size(), 2);
+  const List<std::size_t> counted = projected.pointsOfLabels(labels, 3);
+  EXPECT_EQ(std::vector<std::size_t>(counted.begin(), counted.end()), (std::vector<std::size_t>{0, 3600, 0}));
+}
+
+TEST(ProjectedImage, IsAsFineAsTheRaysThatPointsShare) {
+  for (const double width : {0.3, 0.9}) {
+    // Alone, and where little of the view is filled.
+    std::vector<Vec3> points = square(60, 0.3, 1.0);
+    for (const Vec3& point : square(6, width, 1.0)) points.push_back(point);
+    const std::vector<Vec3> once = points;
+    for (const double nearness : {0.999, 1.001, 1.002}) {
+      for (const Vec3& point : once) points.push_back(nearness * point);
+    }
+    ProjectedImage projected;
+    ASSERT_TRUE(projected.make(cloudOf(points)));
+    EXPECT_GT(projected.image().valid_count, once.size() / 2);
+    EXPECT_LE(projected.image().valid_count, once.size());
+    EXPECT_LT(projected.image().size(), once.size() * 20);
+  }
+}
+
+TEST(ProjectedImage, IsNoLargerForAFewPointsFarAside) {
+  std::vector<Vec3> points = square(200, 0.2, 1.0);
+  const std::size_t in_square = points.size();
+  for (int k = 0; k < 20; ++k) points.emplace_back(k % 2 == 0 ? 1.9 : -1.9, 0.19 * (k - 10), 1.0);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloudOf(points)));
+  EXPECT_LT(projected.image().size(), 4 * in_square);
+  EXPECT_GT(projected.image().valid_count, in_square / 2);
+  EXPECT_EQ(projected.pixel()[in_square], ProjectedImage::kNoPixel);
+  EXPECT_NE(projected.pixel()[0], ProjectedImage::kNoPixel);
+}
+
 TEST(ProjectedImage, IsNotMadeOfPointsAlongALine) {
   Random random(3);
   std::vector<Vec3> scan;

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole frames of a depth camera that lost their order: what is found, counted and labelled in them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "primitect/detector.h"
+#include "test/support/ball_and_wall.h"
+
+namespace primitect {
+namespace {
+
+const test::BallAndWall kScene;
+
+std::vector<Eigen::Vector3f> pointsOf(const Cloud& cloud) {
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < cloud.size(); ++i) points.emplace_back(cloud.x[i], cloud.y[i], cloud.z[i]);
+  return points;
+}
+
+/// In random order.
+Cloud unorganized(std::vector<Eigen::Vector3f> points) {
+  Random random(7);
+  for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
+  Cloud cloud;
+  cloud.reset(static_cast<std::uint32_t>(points.size()), 1, false);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cloud.setPoint(i, points[i].x(), points[i].y(), points[i].z(), {});
+  }
+  return cloud;
+}
+
+/// Of the ball; -1 unless a wall and a ball were found where they are, and nothing else.
+int indexOfBall(const Detections& found) {
+  if (found.items.size() != 2) return -1;
+  const int ball = kindOf(found.items[0].shape) == Kind::sphere ? 0 : 1;
+  const Sphere* sphere = std::get_if<Sphere>(&found.items[ball].shape);
+  const Plane* plane = std::get_if<Plane>(&found.items[1 - ball].shape);
+  if (!sphere || !plane) return -1;
+  EXPECT_LT((sphere->center - kScene.ball.center).norm(), 0.002);
+  EXPECT_NEAR(sphere->radius, kScene.ball.radius, 0.002);
+  EXPECT_NEAR(distance(*plane, Vec3(0.0, 0.0, kScene.wall)), 0.0, 0.001);
+  return ball;
+}
+
+void expectCountsAreThoseOfLabels(const Detector& detector, const Cloud& cloud) {
+  std::vector<std::uint32_t> labels;
+  detector.label(cloud, labels);
+  ASSERT_EQ(labels.size(), cloud.size());
+  const Detections& found = detector.result();
+  for (std::uint32_t k = 0; k < found.items.size(); ++k) {
+    const auto labelled = static_cast<double>(std::count(labels.begin(), labels.end(), k + 1));
+    // A label is of the point itself, the count is of the one that its pixel holds.
+    EXPECT_NEAR(found.items[k].inlier_count, labelled, 0.03 * labelled) << k;
+  }
+}
+
+TEST(ProjectedFrame, IsWorkedOnLikeTheImageThatItWas) {
+  const Cloud image = kScene.image(1), cloud = unorganized(pointsOf(image));
+  Detector detector{Params()};
+  const int ball = indexOfBall(detector.detect(cloud));
+  ASSERT_GE(ball, 0);
+  const Detections& found = detector.result();
+  EXPECT_EQ(found.points_in, cloud.size());
+  EXPECT_EQ(found.points_used, cloud.size());
+  EXPECT_NEAR(found.items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
+  EXPECT_EQ(found.items[ball].truncated, kTruncationUnknown) << "its pixels are not where the camera had them";
+  expectCountsAreThoseOfLabels(detector, cloud);
+}
+
+TEST(ProjectedFrame, CountsNoMissingPoint) {
+  // All missing points lie at the end, three times as many as others: none may count for what any pixel holds.
+  const Cloud image = kScene.image(2);
+  Cloud cloud = unorganized(pointsOf(image));
+  const std::size_t measured = cloud.size();
+  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) {
+    values->resize(4 * measured, std::numeric_limits<float>::quiet_NaN());
+  }
+  cloud.width = static_cast<std::uint32_t>(cloud.size());
+  Detector detector{Params()};
+  const int ball = indexOfBall(detector.detect(cloud));
+  ASSERT_GE(ball, 0);
+  const Detections& found = detector.result();
+  EXPECT_EQ(found.points_used, measured);
+  EXPECT_LE(found.items[0].inlier_count + found.items[1].inlier_count, measured);
+  expectCountsAreThoseOfLabels(detector, cloud);
+}
+
+TEST(ProjectedFrame, MayHoldSeveralFramesOfOneCamera) {
+  std::vector<Eigen::Vector3f> points;
+  for (std::uint64_t seed = 3; seed < 6; ++seed) {
+    for (const Eigen::Vector3f& point : pointsOf(kScene.image(seed))) points.push_back(point);
+  }
+  const Cloud cloud = unorganized(points);
+  Detector detector{Params()};
+  const int ball = indexOfBall(detector.detect(cloud));
+  ASSERT_GE(ball, 0);
+  const double seen = 3.0 * kScene.onBall(kScene.image(3));
+  EXPECT_NEAR(detector.result().items[ball].inlier_count, seen, 0.06 * seen);
+  expectCountsAreThoseOfLabels(detector, cloud);
+}
+
+TEST(ProjectedFrame, LeavesAFewPointsFarAsideOut) {
+  const Cloud image = kScene.image(6);
+  std::vector<Eigen::Vector3f> points = pointsOf(image);
+  const std::size_t seen = points.size();
+  Random random(8);
+  for (int k = 0; k < 40; ++k) {
+    const double side = k % 2 == 0 ? 1.6 : -1.6;
+    points.emplace_back(Eigen::Vector3f(side, random.uniform(-1.6, 1.6), 1.0));
+  }
+  const Cloud cloud = unorganized(points);
+  Detector detector{Params()};
+  const int ball = indexOfBall(detector.detect(cloud));
+  ASSERT_GE(ball, 0);
+  EXPECT_LE(detector.result().items[0].inlier_count + detector.result().items[1].inlier_count, seen);
+  EXPECT_NEAR(detector.result().items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
+}
+
+TEST(ProjectedFrame, LeavesNoTraceInLaterFrames) {
+  const Cloud image = kScene.image(9), cloud = unorganized(pointsOf(image));
+  Detector used{Params()}, of_image{Params()}, of_cloud{Params()};
+  used.detect(cloud);
+  used.detect(Cloud());
+  const auto expectSame = [&used](const Cloud& frame, Detector& fresh) {
+    const Detections &a = used.detect(frame), &b = fresh.detect(frame);
+    ASSERT_EQ(a.items.size(), b.items.size());
+    EXPECT_FALSE(a.items.empty());
+    for (std::size_t k = 0; k < a.items.size(); ++k) {
+      EXPECT_EQ(a.items[k].inlier_count, b.items[k].inlier_count);
+      EXPECT_EQ(a.items[k].covariance, b.items[k].covariance);
+      EXPECT_EQ(a.items[k].truncated, b.items[k].truncated);
+    }
+    EXPECT_EQ(a.refusals.counts, b.refusals.counts);
+  };
+  expectSame(image, of_image);
+  expectSame(cloud, of_cloud);
+}
+
+}  // namespace
+}  // namespace primitect
