@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "eval/cloud_vectors.h"
+#include "eval/cut_out.h"
 #include "eval/tabletop_frames.h"
 #include "eval/variants.h"
 #include "synthetic/mechanical_part.h"
@@ -91,6 +92,12 @@ LabelledCloud mechanicalPart(const Recipe& recipe) {
 LabelledCloud withoutVariants(const Recipe& recipe) {
   if (recipe.set == "small") return smallScene(recipe);
   if (recipe.set == "tabletop" || recipe.set == "clutter") return tabletopFrame(recipe);
+  if (recipe.set == "objects") {
+    LabelledCloud result = tabletopFrame(recipe);
+    cutOut(recipe.seed, result);
+    excuseThinned(result);
+    return result;
+  }
   if (recipe.set == "parts") return mechanicalPart(recipe);
   for (std::size_t k = 0; k < kSceneKindCount; ++k) {
     const SceneKind kind = static_cast<SceneKind>(k);
@@ -119,6 +126,7 @@ std::vector<std::string> dataSetNames() {
   names.push_back("small");
   names.push_back("tabletop");
   names.push_back("clutter");
+  names.push_back("objects");
   names.push_back("parts");
   return names;
 }

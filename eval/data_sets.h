@@ -16,6 +16,7 @@ namespace primitect::eval {
 /// "tabletop": a cluttered table as a depth camera sees it, 640 x 480, without normals; scored without noise.
 /// "clutter": such frames without any sphere, cylinder or cone: boxes, ellipsoids, tori, lumps, folded cloth, cables,
 /// plants, hands. Whatever curved shape is found there is a false alarm.
+/// "objects": one ball, cylinder or cone cut out of a "tabletop" frame, with what is within 3 cm of the box around it.
 /// "parts": mechanical parts, 8096 points from all sides, with normals; scored without noise.
 std::vector<std::string> dataSetNames();
 

@@ -12,7 +12,7 @@ BINS = 10
 Bin = namedtuple("Bin", "count confidence right")
 PARTS = ("total", "origin", "axis", "radius", "half_angle")  # see eval/nees.h
 CALIBRATED = (0.8, 1.2)
-FRAMES = ("tabletop", "clutter")  # sets of depth frames: noise of neighbours is alike there
+FRAMES = ("tabletop", "clutter", "objects")  # sets of depth frames: noise of neighbours is alike there
 SCENES = "scenes"
 
 

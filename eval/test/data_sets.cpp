@@ -279,6 +279,29 @@ TEST(ClutterFrames, AskForPlanesOnly) {
   EXPECT_GT(std::count(input.surface.begin(), input.surface.end(), kClutter), 5000);
 }
 
+TEST(Objects, AreCutOutOfATableWithAllThatIsScored) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const LabelledCloud whole = makeLabelledCloud(recipeOf("tabletop", seed));
+    const LabelledCloud part = makeLabelledCloud(recipeOf("objects", seed));
+    ASSERT_EQ(part.cloud.size(), whole.cloud.size());
+    EXPECT_LT(part.cloud.valid_count, whole.cloud.valid_count / 3) << seed;
+    EXPECT_EQ(part.scored.valid_count, part.cloud.valid_count);
+    int curved = 0;
+    std::vector<std::uint32_t> pixels(part.truth.size(), 0);
+    for (std::size_t i = 0; i < part.cloud.size(); ++i) {
+      ASSERT_EQ(part.scored.valid(i), part.cloud.valid(i));
+      EXPECT_EQ(part.surface[i], part.cloud.valid(i) ? whole.surface[i] : kNoShape);
+      if (part.surface[i] >= 0) ++pixels[part.surface[i]];
+    }
+    for (std::size_t t = 0; t < part.truth.size(); ++t) {
+      if (!part.truth[t].must) continue;
+      EXPECT_GE(pixels[t], kLeastPixels) << "others need not be found";
+      curved += kindOf(part.truth[t].shape) != Kind::plane ? 1 : 0;
+    }
+    EXPECT_GE(curved, 1) << seed;
+  }
+}
+
 TEST(Methods, AreThePresetsAndAblationsOfTheirNames) {
   const LabelledCloud input = makeLabelledCloud(recipeOf("paper-cones"));
   const auto dod = [&](const std::string& method) {

@@ -35,20 +35,19 @@ bool anyNormal(const Samples& samples) {
   return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
 }
 
-void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_meter, Samples& samples) {
-  constexpr int kSmallestWindow = 3;
+void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_meter, double share, Samples& samples) {
+  constexpr double kSmallestWindow = 3.0, kFewestPixels = 2.0;
+  const double at_one_meter = share * window_at_one_meter;
+  const double smallest = std::max(std::min(share * kSmallestWindow, at_one_meter), kFewestPixels);
+  // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
+  const double largest = std::max(smallest, std::floor(1.5 * at_one_meter));
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
-    const int largest = std::max(kSmallestWindow, window_at_one_meter * 3 / 2);
-    const double wanted =
-        std::clamp(static_cast<double>(window_at_one_meter) / samples.z[i],
-                   static_cast<double>(std::min(kSmallestWindow, window_at_one_meter)), static_cast<double>(largest));
+    const double wanted = std::clamp(at_one_meter / samples.z[i], smallest, largest);
     const int half_width = static_cast<int>(std::lround(wanted));
-    if (const std::optional<WindowNormal> normal =
-            windowNormal(image, samples.index[i], samples.point(i), half_width, pitch)) {
-      store(normal->direction, i, samples);
-      samples.normal_sigma[i] = static_cast<float>(normal->sigma);
-    }
+    const auto normal = windowNormal(image, samples.index[i], samples.point(i), half_width, pitch);
+    if (!normal) continue;
+    store(normal->direction, i, samples);
+    samples.normal_sigma[i] = static_cast<float>(normal->sigma);
   }
 }
 
@@ -100,6 +99,11 @@ bool isDepthImage(const Cloud& cloud) {
   return cloud.organized() && cloud.behind_count == 0;
 }
 
+double shareOfUsualWindows(const ImageRays& rays) {
+  constexpr double kUsualFocalLength = 525.0;  // px
+  return rays.known ? std::min(1.0, 1.0 / (kUsualFocalLength * std::abs(rays.x_scale))) : 1.0;
+}
+
 int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, double wanted, NormalSource& source) {
   constexpr std::size_t kLookedAt = 64;
   constexpr int kNearest = 11;
@@ -129,7 +133,8 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
   }
   if (source.neighbor_count <= 0 && isDepthImage(cloud)) {
     if (!source.pitch) source.pitch = pitchOf(raysOf(cloud, source));
-    return fitWindows(cloud, *source.pitch, params.normal_window, samples);
+    const double share = shareOfUsualWindows(raysOf(cloud, source));
+    return fitWindows(cloud, *source.pitch, params.normal_window, share, samples);
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;

@@ -135,6 +135,17 @@ struct Detector::Workspace {
     return out_of_time;
   }
 
+  /// In a small part of a depth image samples could lie side by side. Their windows overlap: more of them tell nothing
+  /// new, but what errs in one errs in all, and slivers of a flank pass for planes. Measured on 120 objects cut out of
+  /// tables: 98 % of them are found either way, precision is 100 % instead of 87 %, in a third of the time.
+  std::size_t mostSamples(const Cloud& cloud) {
+    constexpr double kOfUsualWindow = 24.0, kFewest = 64.0;  // px; samples
+    if (!depth_camera) return cloud.size();
+    const double share = shareOfUsualWindows(raysOf(cloud, normal_source));
+    const double apart = cloud.valid_count / std::max(kOfUsualWindow * share * share, 1.0);
+    return static_cast<std::size_t>(std::ceil(std::max(apart, kFewest)));
+  }
+
   /// Draws samples from the points that none of these explains.
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
     // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
@@ -146,12 +157,23 @@ struct Detector::Workspace {
       labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs, unexplained);
       sampler.keepTo(unexplained);
     }
-    sampler.draw(atThisEffort(count), static_cast<std::uint64_t>(params.seed) + round, samples);
+    sampler.draw(std::min(atThisEffort(count), mostSamples(cloud)), static_cast<std::uint64_t>(params.seed) + round,
+                 samples);
+  }
+
+  /// d_s of the first samples; 0 when all are in one place. With a depth camera at least their mean depth, or what was
+  /// cut out of its image, like one object, would be looked at with bins and pairs so small that they tell only noise,
+  /// and for radii smaller than its own.
+  double sceneDiameter() const {
+    const double seen = boundingBoxDiagonal(samples);
+    if (!depth_camera || !(seen > 0.0)) return seen;
+    const double depth = std::accumulate(samples.z.begin(), samples.z.end(), 0.0) / static_cast<double>(samples.size());
+    return std::max(seen, depth);
   }
 
   /// d_s, and what noise to expect, from the first samples.
   void measureScale() {
-    result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : boundingBoxDiagonal(samples);
+    result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : sceneDiameter();
     // All points in one place have no scale and no normals.
     if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
     constexpr double kJustSo = 1.0;

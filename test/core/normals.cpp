@@ -78,13 +78,37 @@ TEST(WindowNormals, LookAtAWiderWindowNearby) {
     Samples samples;
     drawSamples(cloud, 300, 1, samples);
     NormalSource source;
-    estimateNormals(cloud, Params(), source, samples);
+    Params params;
+    params.normal_window = 20;  // this image is coarse
+    estimateNormals(cloud, params, source, samples);
     double sum = 0.0;
     for (std::size_t i = 0; i < samples.size(); ++i) sum += (samples.normal(i) + Vec3::UnitZ()).norm() / 300.0;
     return sum;
   };
   // The noise is a share of the depth, so the angle of a fixed window would be the same at both.
   EXPECT_LT(2.0 * errorAt(0.7), errorAt(2.0));
+}
+
+TEST(WindowNormals, OfACoarseImageLookAtAsMuchOfTheScene) {
+  // A focal length of 140 px is 0.27 of the usual one: 7 px at 1 m become 2.
+  Cloud cloud = cameraCloud(Vec3(0.3, 0, 1).normalized(), 1.0);
+  Random random(38);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float factor = 1.0f + 0.001f * static_cast<float>(random.gaussian());
+    for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
+  }
+  Samples samples;
+  drawSamples(cloud, 300, 1, samples);
+  NormalSource source;
+  estimateNormals(cloud, Params(), source, samples);
+  EXPECT_NEAR(shareOfUsualWindows(*source.rays), 140.0 / 525.0, 1e-3);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto expected = windowNormal(cloud, samples.index[i], samples.point(i), 2, *source.pitch);
+    if (expected) {
+      EXPECT_LT((samples.normal(i) - expected->direction).norm(), 1e-6) << i;
+    }
+  }
+  EXPECT_EQ(shareOfUsualWindows(ImageRays()), 1.0) << "not known";
 }
 
 TEST(WindowNormals, ReachTheCornersOfTheImage) {

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth images of which one object is left, and coarse ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "primitect/detector.h"
+#include "test/support/ball_and_wall.h"
+
+namespace primitect {
+namespace {
+
+using test::BallAndWall;
+
+/// What is nearer than the wall, as an image or as a list of points.
+Cloud ballAlone(const BallAndWall& scene, std::uint64_t seed, bool organized) {
+  const Cloud image = scene.image(seed);
+  Cloud alone;
+  organized ? alone.reset(image.width, image.height, false)
+            : alone.reset(static_cast<std::uint32_t>(scene.onBall(image)), 1, false);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (image.z[i] < scene.wall - 0.1) {
+      alone.setPoint(organized ? i : next++, image.x[i], image.y[i], image.z[i], {});
+    }
+  }
+  return alone;
+}
+
+void expectOnlyBall(const Sphere& ball, const Detections& found) {
+  ASSERT_EQ(found.items.size(), 1u);
+  const Sphere* sphere = std::get_if<Sphere>(&found.items[0].shape);
+  ASSERT_TRUE(sphere);
+  EXPECT_LT((sphere->center - ball.center).norm(), 0.003);
+  EXPECT_NEAR(sphere->radius, ball.radius, 0.003);
+}
+
+TEST(PartOfAnImage, IsLookedAtInTheScaleOfItsDepth) {
+  // The largest radius is 0.3 d_s, and half a ball has a diagonal of three radii.
+  for (const double radius : {0.04, 0.1, 0.2}) {
+    for (const bool organized : {true, false}) {
+      BallAndWall scene;
+      scene.every = 1;
+      scene.ball.radius = radius;
+      Detector detector{Params()};
+      const Detections& found = detector.detect(ballAlone(scene, 11, organized));
+      SCOPED_TRACE(radius);
+      expectOnlyBall(scene.ball, found);
+      EXPECT_NEAR(found.scene_diameter, scene.ball.center.z(), 0.25);
+    }
+  }
+}
+
+TEST(PartOfAnImage, HasNoMoreSamplesThanItsWindowsTellApart) {
+  const BallAndWall scene{1, 1.2, {Vec3(0.05, 0.02, 1.0), 0.04}};
+  const Cloud alone = ballAlone(scene, 12, true);
+  Detector detector{Params()};
+  const Detections& found = detector.detect(alone);
+  expectOnlyBall(scene.ball, found);
+  EXPECT_GT(alone.valid_count, 1500u);
+  EXPECT_LT(found.samples, alone.valid_count / 10);
+  EXPECT_GT(found.items[0].inlier_count, 0.9 * alone.valid_count) << "the measures are taken from all";
+}
+
+TEST(PartOfAnImage, KeepsTheScaleThatItIsGiven) {
+  Params params;
+  params.scene_diameter = 0.6;
+  Detector detector(params);
+  EXPECT_EQ(detector.detect(ballAlone(BallAndWall(), 13, true)).scene_diameter, 0.6);
+}
+
+TEST(CoarseImage, ShowsWhatAFineOneShows) {
+  // 160 x 120 pixels: the ball is 17 wide. Nothing but its limb would be left to a window of 15, as in a fine image.
+  BallAndWall scene;
+  scene.every = 4;
+  scene.ball.radius = 0.06;
+  for (std::uint64_t seed = 21; seed < 26; ++seed) {
+    Detector detector{Params()};
+    const Detections& found = detector.detect(scene.image(seed));
+    int balls = 0, walls = 0;
+    for (const Detection& item : found.items) {
+      const Sphere* sphere = std::get_if<Sphere>(&item.shape);
+      balls += sphere && std::abs(sphere->radius - scene.ball.radius) < 0.005 ? 1 : 0;
+      walls += kindOf(item.shape) == Kind::plane ? 1 : 0;
+    }
+    EXPECT_EQ(balls, 1) << seed;
+    EXPECT_EQ(walls, 1) << seed;
+    EXPECT_EQ(found.items.size(), 2u) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace primitect
