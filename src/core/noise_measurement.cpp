@@ -26,7 +26,8 @@ double lowerQuartile(List<double>& values) {
 
 }  // namespace
 
-NoiseModel measureNoise(const Samples& samples, const List<Candidate>& candidates, const ProposalRules& rules) {
+std::optional<NoiseModel> measureNoise(const Samples& samples, const List<Candidate>& candidates,
+                                       const ProposalRules& rules) {
   constexpr std::size_t kStrongest = 12;
   constexpr std::size_t kFewestInliers = 20;
   constexpr double kSmallestShare = 0.02;  // of the largest: exact data has float rounding
@@ -48,8 +49,8 @@ NoiseModel measureNoise(const Samples& samples, const List<Candidate>& candidate
     // The median of a Rayleigh distribution is 1.18 times its parameter, 1.4826 / 1.7456 of what robustDeviation gives.
     angles.push_back(robustDeviation(magnitudes) / 1.7456);
   }
+  if (distances.empty()) return std::nullopt;
   NoiseModel noise = rules.noise;
-  if (distances.empty()) return noise;
   noise.distance = std::clamp(lowerQuartile(distances), kSmallestShare * noise.distance, noise.distance);
   constexpr double kAngleDeviations = 4.0, kSmallestAngle = 0.12;  // rad: at edges normals are worse than elsewhere
   noise.angle = std::min(std::max(kAngleDeviations * lowerQuartile(angles), kSmallestAngle), noise.angle);

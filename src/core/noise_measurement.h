@@ -3,6 +3,8 @@
 // Noise from the data: what strays from the shapes that the strongest candidates stand for.
 #pragma once
 
+#include <optional>
+
 #include "core/candidate.h"
 #include "core/competition.h"
 #include "core/frame_memory.h"
@@ -11,7 +13,8 @@ namespace primitect {
 
 /// Noise of clouds that no depth camera's model fits: standard deviation (m) of the distances of samples to the shapes
 /// that explain the strongest candidates best, the lower quartile of these; and the angle that few of their normals
-/// exceed. `rules.noise` holds the largest that is possible.
-NoiseModel measureNoise(const Samples& samples, const List<Candidate>& candidates, const ProposalRules& rules);
+/// exceed. `rules.noise` holds the largest that is possible. Nothing where no candidate has enough inliers.
+std::optional<NoiseModel> measureNoise(const Samples& samples, const List<Candidate>& candidates,
+                                       const ProposalRules& rules);
 
 }  // namespace primitect

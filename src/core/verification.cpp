@@ -30,6 +30,7 @@ std::size_t needed(const Params& params) { return static_cast<std::size_t>(param
 void Verification::begin(const FrameScale& scale) {
   scale_ = scale;
   noise_ = largestNoise(scale, params_);
+  noise_measured_ = false;
   samples_.clear();
   pool_.clear();
   selection_ = {};
@@ -63,7 +64,9 @@ void Verification::addSamples(Samples samples) {
 void Verification::measureNoise(Samples samples, const List<Candidate>& candidates) {
   noise_ = largestNoise(scale_, params_);
   applyNoise(noise_, samples);
-  noise_ = primitect::measureNoise(samples, candidates, rules());
+  const std::optional<NoiseModel> measured = primitect::measureNoise(samples, candidates, rules());
+  noise_measured_ = measured.has_value();
+  if (measured) noise_ = *measured;
 }
 
 void Verification::propose(const List<Candidate>& candidates) {

@@ -57,6 +57,8 @@ class Verification {
   void conclude();
 
   const NoiseModel& noise() const { return noise_; }
+  /// False: nothing stood out clearly enough, and the noise is the largest that is possible.
+  bool noiseMeasured() const { return noise_measured_; }
   const Samples& samples() const { return samples_; }
   /// What was selected, with the samples of each; every sample belongs to one at most.
   const List<Segment>& segments() const { return segments_; }
@@ -85,6 +87,7 @@ class Verification {
   Params params_;
   FrameScale scale_;
   NoiseModel noise_;
+  bool noise_measured_ = false;
   Samples samples_;
   SampleGraph graph_;
   Proposer proposer_;
