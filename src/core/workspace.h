@@ -211,7 +211,9 @@ struct Detector::Workspace {
     constexpr double kPoor = 0.1, kWanted = 0.05;  // rad, about each axis
     const NoiseModel& noise = verification.noise();
     const bool own = params.use_cloud_normals && cloud.hasNormals() && !cloud.organized();
-    const bool poor = verification.noiseMeasured() && noise.angle >= kPoor * kNormalDeviations;
+    // With all samples noise that could not be measured is strong; with less effort they may just be too few.
+    const bool known = verification.noiseMeasured() || effort->share >= 1.0;
+    const bool poor = known && noise.angle >= kPoor * kNormalDeviations;
     if (!params.improve_normals || !own || !poor) return false;
     normal_source.neighbor_count = neighborsFor(cloud, samples, noise.distance, kWanted, normal_source);
     estimateNormals(cloud, params, normal_source, samples);

@@ -118,6 +118,27 @@ Cloud wallAndSmallBall() {
       test::together(test::patchOf(wall, 58800, 0.5, random), test::patchOf(test::kBall, 1200, random)));
 }
 
+TEST(Effort, TakesTooFewSamplesForNoPoorNormals) {
+  // Eight samples on each ball: too few to measure noise. Normals from neighbours would cost more than all else.
+  Random random(53);
+  std::vector<Sphere> balls;
+  std::vector<test::SurfacePoint> points;
+  for (int k = 0; k < 32; ++k) {
+    balls.push_back({Vec3(0.3 * (k % 8), 0.3 * (k / 8), -1.0), 0.1});
+    points = test::together(points, test::patchOf(balls.back(), 1000, random));
+  }
+  Detector detector{Params()};
+  detector.detect(test::cloudOf(points), {leastShare(Params()), {}});
+  const SampleView view = detector.samples();
+  ASSERT_GT(view.count, 200u);
+  for (std::size_t i = 0; i < view.count; ++i) {
+    const Vec3 point(view.x[i], view.y[i], view.z[i]), normal(view.nx[i], view.ny[i], view.nz[i]);
+    double least = 1.0;
+    for (const Sphere& ball : balls) least = std::min(least, ((point - ball.center).normalized() - normal).norm());
+    ASSERT_LT(least, 1e-4) << "measured anew";
+  }
+}
+
 TEST(Effort, FindsWithFewerSamplesWhatIsAsSmall) {
   Params params = oneDraw();
   Detector detector(params);
