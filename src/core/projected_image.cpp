@@ -41,6 +41,38 @@ View viewOf(const Cloud& cloud) {
   return view;
 }
 
+/// How many of the pixels up to two steps around this one there are, and how many of these are measured.
+struct Surroundings {
+  std::size_t all = 0, measured = 0;
+
+  void add(const Cloud& image, std::size_t pixel) {
+    constexpr std::size_t kSteps = 2;
+    const std::size_t row = pixel / image.width, column = pixel % image.width;
+    const std::size_t bottom = std::min<std::size_t>(row + kSteps + 1, image.height);
+    const std::size_t right = std::min<std::size_t>(column + kSteps + 1, image.width);
+    for (std::size_t r = row - std::min(row, kSteps); r < bottom; ++r) {
+      for (std::size_t c = column - std::min(column, kSteps); c < right; ++c) {
+        ++all;
+        measured += image.valid(r * image.width + c) ? 1 : 0;
+      }
+    }
+  }
+};
+
+/// Around its points most pixels of the image are missing, or nearly so: windows would hold too few. Of images that a
+/// sensor fills 0.9 of these are measured, of one thing cut out of them 0.77.
+bool isSparse(const Cloud& image) {
+  constexpr int kTries = 4096;
+  constexpr double kDense = 0.65, kEnough = 256 * 25;
+  Random random(1);
+  Surroundings seen;
+  for (int k = 0; k < kTries && static_cast<double>(seen.all) < kEnough; ++k) {
+    const std::size_t pixel = random.below(image.size());
+    if (image.valid(pixel)) seen.add(image, pixel);
+  }
+  return static_cast<double>(seen.measured) < kDense * static_cast<double>(seen.all);
+}
+
 /// Narrows [first, last] to where these values lie, unless nearly all of it is needed.
 void narrow(List<float>& values, float& first, float& last) {
   constexpr double kAside = 0.002, kMargin = 0.1;  // share of the values at either end; of what is between them
@@ -100,7 +132,7 @@ bool ProjectedImage::make(const Cloud& cloud) {
   constexpr double kMostHidden = 0.05;             // of the points
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
   constexpr int kTimes = 5;
-  if (cloud.organized() || cloud.valid_count == 0 || cloud.behind_count > 0) return false;
+  if (cloud.valid_count == 0 || cloud.behind_count > 0 || (cloud.organized() && !isSparse(cloud))) return false;
   View view = viewOf(cloud);
   if (!view.in_front) return false;
   leaveOutStrays(cloud, view);

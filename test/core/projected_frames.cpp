@@ -121,6 +121,24 @@ TEST(ProjectedFrame, LeavesAFewPointsFarAsideOut) {
   EXPECT_NEAR(detector.result().items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
 }
 
+TEST(ProjectedFrame, IsACoarserOneWhereFewPixelsAreMeasured) {
+  test::BallAndWall scene;
+  scene.every = 1;
+  for (const double kept : {0.25, 0.1}) {
+    Cloud image = scene.image(10);
+    Random random(11);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (random.uniform() > kept) image.x[i] = image.y[i] = image.z[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    image.countPoints();
+    Detector detector{Params()};
+    const int ball = indexOfBall(detector.detect(image));
+    ASSERT_GE(ball, 0) << kept;
+    EXPECT_NEAR(detector.result().items[ball].inlier_count, scene.onBall(image), 0.06 * scene.onBall(image));
+    expectCountsAreThoseOfLabels(detector, image);
+  }
+}
+
 TEST(ProjectedFrame, LeavesNoTraceInLaterFrames) {
   const Cloud image = kScene.image(9), cloud = unorganized(pointsOf(image));
   Detector used{Params()}, of_image{Params()}, of_cloud{Params()};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -116,6 +117,25 @@ TEST(ProjectedImage, IsNoLargerForAFewPointsFarAside) {
   EXPECT_GT(projected.image().valid_count, in_square / 2);
   EXPECT_EQ(projected.pixel()[in_square], ProjectedImage::kNoPixel);
   EXPECT_NE(projected.pixel()[0], ProjectedImage::kNoPixel);
+}
+
+TEST(ProjectedImage, IsMadeOfAnImageOnlyWhereMostPixelsAroundItsPointsAreMissing) {
+  const Cloud image = test::cameraCloud(Vec3(0.2, 0.0, 1.0).normalized(), 1.0);
+  EXPECT_FALSE(ProjectedImage().make(image));
+  const auto without = [&image](const auto& missing) {
+    Cloud cloud = image;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      if (missing(i % 160, i / 160)) cloud.x[i] = cloud.y[i] = cloud.z[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    cloud.countPoints();
+    return cloud;
+  };
+  EXPECT_FALSE(ProjectedImage().make(without([](std::size_t column, std::size_t) { return column > 12; }))) << "cut";
+  const Cloud sparse = without([](std::size_t column, std::size_t row) { return column % 3 != 1 || row % 3 != 1; });
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(sparse));
+  EXPECT_LT(projected.image().size(), sparse.size() / 4);
+  EXPECT_GT(projected.image().valid_count, sparse.valid_count / 2);
 }
 
 TEST(ProjectedImage, IsNotMadeOfPointsAlongALine) {
