@@ -12,7 +12,8 @@ BINS = 10
 Bin = namedtuple("Bin", "count confidence right")
 PARTS = ("total", "origin", "axis", "radius", "half_angle")  # see eval/nees.h
 CALIBRATED = (0.8, 1.2)
-FRAMES = ("tabletop", "clutter", "objects")  # sets of depth frames: noise of neighbours is alike there
+FRAMES = ("tabletop", "clutter")  # sets of depth frames: noise of neighbours is alike there
+CUT_OUT = "objects"
 SCENES = "scenes"
 
 
@@ -53,9 +54,10 @@ def normalised_error(lines, kind, part):
 def groups(lines):
     """Lines of the paper-like scenes and of depth frames, by name; those that were shuffled have no rows any more, and
     with these the detector no longer sees whose pixels are next to each other."""
-    chosen = {SCENES: [line for line in lines if line["set"] not in FRAMES],
+    chosen = {SCENES: [line for line in lines if line["set"] not in FRAMES + (CUT_OUT,)],
               "depth frames": [line for line in lines if line["set"] in FRAMES and not line.get("shuffle")],
-              "shuffled frames": [line for line in lines if line["set"] in FRAMES and line.get("shuffle")]}
+              "shuffled frames": [line for line in lines if line["set"] in FRAMES and line.get("shuffle")],
+              "things cut out of depth frames": [line for line in lines if line["set"] == CUT_OUT]}
     return {name: some for name, some in chosen.items() if detections(some)}
 
 

@@ -79,10 +79,10 @@ ImageRays findRays(const Cloud& cloud) {
   ImageRays rays;
   if (!cloud.organized() || cloud.valid_count == 0) return rays;
   // More pixels would tell no more, and each is a miss of the cache.
-  constexpr std::size_t kStep = 499, kEnough = 2048;
+  constexpr std::uint32_t kEnough = 512;
   constexpr double kFewest = 10.0, kLargestMisfit = 1.0 / 3.0;
   Line across, down;
-  std::size_t step = kStep * std::max<std::size_t>(1, cloud.size() / (kStep * kEnough));
+  std::size_t step = std::max<std::size_t>(1, cloud.valid_count / kEnough);
   while (std::gcd(step, static_cast<std::size_t>(cloud.width)) > 1) ++step;  // then it visits all columns
   for (std::size_t i = 0; i < cloud.size(); i += step) {
     if (!cloud.valid(i) || !(cloud.z[i] > 0.0f)) continue;

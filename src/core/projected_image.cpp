@@ -63,7 +63,7 @@ struct Surroundings {
 /// sensor fills 0.9 of these are measured, of one thing cut out of them 0.77.
 bool isSparse(const Cloud& image) {
   constexpr int kTries = 4096;
-  constexpr double kDense = 0.65, kEnough = 256 * 25;
+  constexpr double kDense = 0.6, kEnough = 256 * 25;
   Random random(1);
   Surroundings seen;
   for (int k = 0; k < kTries && static_cast<double>(seen.all) < kEnough; ++k) {
