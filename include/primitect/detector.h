@@ -21,6 +21,9 @@ struct SampleView {
   std::size_t count;
 };
 
+/// Fewer points than this cannot tell a shape from chance.
+constexpr std::uint32_t kFewestPoints = 16;
+
 /// How much work a frame may be. The default is all of it: the result then depends on cloud and parameters alone.
 /// Params::max_latency does nothing by itself: who has a clock asks a LatencyGovernor for the effort.
 struct Effort {

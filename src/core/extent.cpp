@@ -87,6 +87,9 @@ constexpr std::size_t kMostPoints = 4093;  // for what is a mean
 /// the rows of an image.
 constexpr std::size_t kMostForDirection = 1021;
 
+/// Of the two signs of a direction this one, so that the pose does not flip.
+Vec3 towardsPositiveX(const Vec3& direction) { return direction.x() < 0.0 ? Vec3(-direction) : direction; }
+
 /// Direction of the largest spread of the points within the plane.
 Vec3 longestDirection(const SomePoints<kMostForDirection>& points, const Vec3& mean, const Vec3& normal) {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -97,8 +100,7 @@ Vec3 longestDirection(const SomePoints<kMostForDirection>& points, const Vec3& m
   const Eigen::Matrix3d within = Eigen::Matrix3d::Identity() - normal * normal.transpose();
   scatter = (within * scatter * within).eval();
   const Vec3 direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
-  // Of the two signs the one towards positive x, so that the pose does not flip.
-  return direction.x() < 0.0 ? Vec3(-direction) : direction;
+  return towardsPositiveX(direction);
 }
 
 template <std::size_t most>
@@ -226,6 +228,37 @@ class Cells {
 
 /// The outline is around all large parts: something in front may hide what lies between them. A few points of other
 /// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
+/// Around points in a plane; x: direction of one side, of unit length.
+struct Rectangle {
+  Vec2 x, middle, size;
+};
+
+Rectangle rectangleAlong(const Vec2& x, const List<Vec2>& points) {
+  Eigen::Matrix2d axes;
+  axes << x, Vec2(-x.y(), x.x());
+  Vec2 low = axes.transpose() * points.front(), high = low;
+  for (const Vec2& point : points) {
+    const Vec2 there = axes.transpose() * point;
+    low = low.cwiseMin(there);
+    high = high.cwiseMax(there);
+  }
+  return {x, axes * (0.5 * (low + high)), high - low};
+}
+
+/// With its longer side along x. Of the smallest rectangle around a polygon one side lies along a side of the polygon
+/// (Freeman and Shapira 1975). That of the largest spread of the points would lie across a square.
+Rectangle smallestRectangle(const List<Vec2>& corners) {
+  Rectangle smallest = rectangleAlong(Vec2::UnitX(), corners);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+    if (!(side.norm() > 0.0)) continue;
+    const Rectangle along = rectangleAlong(side.normalized(), corners);
+    if (along.size.prod() < smallest.size.prod()) smallest = along;
+  }
+  if (smallest.size.x() >= smallest.size.y()) return smallest;
+  return {{-smallest.x.y(), smallest.x.x()}, smallest.middle, {smallest.size.y(), smallest.size.x()}};
+}
+
 Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>&& outline) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
@@ -236,21 +269,18 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>
   constexpr double kLeastPart = 0.2;
   cells.keepParts(kLeastPart);
   const List<Vec2> border = cells.border(flat);
-  Vec2 low = border.front(), high = border.front();
-  for (const Vec2& point : border) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const Vec3 foot = inliers.origin - distance(plane, inliers.origin) * plane.normal;
-  extent.origin = foot + extent.rotation.leftCols<2>() * (0.5 * (low + high));
-  extent.size.head<2>() = high - low;
   // A millimetre of a metre: less than the noise at a border, and half the corners.
   constexpr double kFlat = 1e-3;
+  const Vec3 foot = inliers.origin - distance(plane, inliers.origin) * plane.normal;
+  const Eigen::Matrix<double, 3, 2> axes = extent.rotation.leftCols<2>();
+  const List<Vec2> corners = convexHull(border, kFlat * rectangleAlong(Vec2::UnitX(), border).size.norm());
   extent.hull = std::move(outline);
   extent.hull.clear();
-  for (const Vec2& corner : convexHull(border, kFlat * extent.size.norm())) {
-    extent.hull.push_back(foot + extent.rotation.leftCols<2>() * corner);
-  }
+  for (const Vec2& corner : corners) extent.hull.push_back(foot + axes * corner);
+  const Rectangle around = smallestRectangle(corners);
+  extent.origin = foot + axes * around.middle;
+  extent.size.head<2>() = around.size;
+  extent.rotation = frameAround(plane.normal, towardsPositiveX(axes * around.x));
   return extent;
 }
 

@@ -35,9 +35,6 @@
 
 namespace primitect {
 
-/// Fewer points than this cannot tell a shape from chance.
-constexpr std::uint32_t kFewestPoints = 16;
-
 inline Status statusOf(const Cloud& cloud) {
   if (cloud.valid_count == 0) return Status::empty_input;
   return cloud.valid_count < kFewestPoints ? Status::too_few_points : Status::ok;

@@ -44,6 +44,16 @@ pcl::PointCloud<pcl::PointXYZRGBL> labelledCloud(const Cloud& cloud, const Detec
   return points;
 }
 
+/// PCL writes no file without points.
+void writeHeaderAlone(std::ofstream& file) {
+  file << "ply\nformat binary_little_endian 1.0\nelement vertex 0\n";
+  for (const char* property :
+       {"float x", "float y", "float z", "uchar red", "uchar green", "uchar blue", "uint label"}) {
+    file << "property " << property << "\n";
+  }
+  file << "end_header\n";
+}
+
 }  // namespace
 
 void writeLabels(const std::string& path, const Cloud& cloud, const Detections& detections,
@@ -57,7 +67,11 @@ void writeLabels(const std::string& path, const Cloud& cloud, const Detections& 
       field.datatype = pcl::PCLPointField::FLOAT32;
     }
   }
-  if (!std::ofstream(path)) throw std::runtime_error(path + ": cannot be written");
+  std::ofstream file(path);
+  if (message.data.empty()) writeHeaderAlone(file);
+  file.close();
+  if (!file) throw std::runtime_error(path + ": cannot be written");
+  if (message.data.empty()) return;
   // No camera element: with it, missing points would become vertices.
   if (pcl::PLYWriter().writeBinary(path, message, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), false) < 0) {
     throw std::runtime_error(path + ": cannot be written");

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "primitect/detector.h"
+
 namespace primitect::io {
 namespace {
 
@@ -98,8 +100,10 @@ std::string reasonText(const Detections& detections) {
       return "of " + std::to_string(detections.points_in) +
              " points none is measured and within the depth range (min_depth, max_depth)";
     case Status::too_few_points:
+      if (detections.points_used >= kFewestPoints) return "all points are in one place";
       return "too few points: only " + std::to_string(detections.points_used) + " of " +
-             std::to_string(detections.points_in) + " are measured and within the depth range";
+             std::to_string(detections.points_in) + " are measured and within the depth range, at least " +
+             std::to_string(kFewestPoints) + " are needed";
     case Status::rejected_input:
       return "the input was rejected";
     case Status::no_transform:

@@ -3,6 +3,7 @@
 // Starts, subscribes while someone listens, processes, publishes what is listened to.
 #include "detector_nodelet.h"
 
+#include <ros/master.h>
 #include <tf2_eigen/tf2_eigen.h>
 
 #include <pluginlib/class_list_macros.hpp>
@@ -125,14 +126,34 @@ void DetectorNodelet::warnIfHopeless() {
                                 << governor->bound() << " s");
 }
 
+namespace {
+
+/// Of what is published there, as the master knows it; empty when nothing is.
+std::string typeOf(const std::string& topic) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  for (const ros::master::TopicInfo& info : topics) {
+    if (info.name == topic) return info.datatype;
+  }
+  return "";
+}
+
+std::string whySilent(const std::string& topic, std::uint32_t publishers) {
+  if (publishers > 0) return std::to_string(publishers) + " could publish it";
+  const std::string type = typeOf(topic), wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
+  if (type.empty() || type == wanted) return "nobody publishes it (launch files take input:=TOPIC)";
+  const bool image = type == "sensor_msgs/Image";
+  return "it is a " + type + ", not a " + wanted + (image ? " (depth_image.launch takes depth:=TOPIC)" : "");
+}
+
+}  // namespace
+
 void DetectorNodelet::warnIfSilent() {
   const bool silent = diagnostics_->silent();
   if (silent && !told_silent_) {
-    const std::uint32_t publishers = input_.getNumPublishers();
     NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for "
                                   << DetectorDiagnostics::kSilenceSeconds << " s; "
-                                  << (publishers == 0 ? "nobody publishes it (launch files take input:=TOPIC)"
-                                                      : std::to_string(publishers) + " could publish it"));
+                                  << whySilent(input_.getTopic(), input_.getNumPublishers()));
   }
   told_silent_ = silent;
 }

@@ -5,12 +5,10 @@
 
 #include "cloud_reader.h"
 #include "output_clouds.h"
+#include "primitect/detector.h"
 
 namespace primitect::ros_layer {
 namespace {
-
-/// What the detector needs at least to search a cloud.
-constexpr std::uint32_t kFewestPoints = 16;
 
 std::string metres(const char* name, double value) {
   return std::string(name) + " (" + (value > 0.0 ? valueText(value) + " m)" : "off)");

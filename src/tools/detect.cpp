@@ -135,7 +135,9 @@ int run(const tools::DetectOptions& options) {
     } catch (const std::exception& error) {
       reports.push_back(failure(options.files[i], options.files[i] + ": " + error.what()));
     }
-    if (!reports.back().error.empty()) exit_code = kBadFile;
+    if (reports.back().error.empty()) continue;
+    exit_code = kBadFile;
+    if (targets.json.perInput()) tools::writeTextFile(targets.json.path(i), io::reportJson(reports.back()));
   }
   writeJson(targets, reports);
   return exit_code;

@@ -44,6 +44,26 @@ TEST(Extent, OfARectangleIsItsOutlineSeenFromTheSensor) {
   EXPECT_NEAR(area, 0.12, kRounding);  // positive: counter-clockwise around the normal
 }
 
+TEST(Extent, OfASquareIsAsWideAsItIsWhereverThePointsLie) {
+  // The largest spread of the points of a square may be along its diagonal.
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    const Plane plane = {Vec3(0, 0, 1), Vec3(0.2, -0.1, -1).normalized()};
+    const Vec3 across = plane.normal.unitOrthogonal(), down = plane.normal.cross(across);
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < 2000; ++i) {
+      const double u = random.uniform(-0.05, 0.05), v = random.uniform(-0.05, 0.05);
+      points.push_back({plane.point + (u + 0.1) * across + v * down, plane.normal});
+    }
+    const Extent extent = measureExtent(plane, pointsOf(points));
+    EXPECT_NEAR(extent.size.x(), 0.1, 0.003);
+    EXPECT_NEAR(extent.size.y(), 0.1, 0.003);
+    EXPECT_LE(extent.size.y(), extent.size.x());
+    EXPECT_LT((extent.origin - plane.point - 0.1 * across).norm(), 0.002);
+    EXPECT_GE(extent.rotation(0, 0), 0.0);
+  }
+}
+
 TEST(Extent, OfACylinderLiesBetweenItsSeenEnds) {
   Random random(35);
   const Cylinder cylinder = {Vec3(0.1, 0.2, 1.0), Vec3(0, -1, 0), 0.05};

@@ -61,6 +61,21 @@ TEST_F(DetectProgram, SaysWhyNothingWasFound) {
   EXPECT_EQ(run(none), 0);
   EXPECT_NE(out.find("nothing found: none of the 1 points is measured"), std::string::npos) << out;
   EXPECT_EQ(runJson(none)["status"], "empty_input");
+  EXPECT_EQ(run(none + " --labels " + path("none-labels.ply")), 0) << err;
+  EXPECT_NE(read(path("none-labels.ply")).find("element vertex 0\n"), std::string::npos);
+}
+
+TEST_F(DetectProgram, TellsTooFewPointsFromAllInOnePlace) {
+  std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 20\nproperty float x\nproperty float y\nproperty float z\n";
+  header += "end_header\n";
+  std::string same, missing = "nan nan nan\n";
+  for (int i = 0; i < 19; ++i) same += "0.5 0.5 1\n", missing += i < 9 ? "nan nan nan\n" : "0.1 0.2 1\n";
+  EXPECT_EQ(run(write("same.ply", header + same + "0.5 0.5 1\n")), 0);
+  EXPECT_NE(out.find("nothing found: all points are in one place"), std::string::npos) << out;
+  EXPECT_EQ(run(write("few.ply", header + missing)), 0);
+  EXPECT_NE(out.find("only 10 of 20 are measured"), std::string::npos) << out;
+  EXPECT_NE(out.find("at least 16 are needed"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, NamesTheDepthRangeThatCutAllPointsAway) {
@@ -157,6 +172,13 @@ TEST_F(DetectProgram, FillsADirectoryForSeveralFiles) {
     EXPECT_NE(read(to + stem + ".ply").find("property uint label"), std::string::npos);
     EXPECT_FALSE(cv::imread(to + stem + ".png").empty());
   }
+}
+
+TEST_F(DetectProgram, FillsADirectoryAlsoForFilesThatCannotBeRead) {
+  const std::string to = path("some/");
+  EXPECT_EQ(run(write("broken.ply", "no points") + " " + ball + " --json " + to), 1);
+  EXPECT_NE(Json::parse(read(to + "broken.json"))["error"], "");
+  EXPECT_TRUE(hasSphere(Json::parse(read(to + "ball.json")), 0.1));
 }
 
 TEST_F(DetectProgram, CutsDepthImagesButNotUnorganizedFiles) {
