@@ -37,7 +37,7 @@ struct Effort {
   std::function<bool()> out_of_time;
 };
 
-/// The least share of the effort: it leaves 256 samples in a draw.
+/// The least share of the effort: it leaves 256 samples in a draw, unless the cloud is a small part of a depth image.
 double leastShare(const Params& params);
 
 /// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit.

@@ -11,8 +11,6 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-/// A subscribed input that is silent for longer is worth a warning (s).
-
 }  // namespace
 
 void FrameCounters::count(const PrimitiveArray& message, const Refusals& refusals) {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "core/projected_image.h"
 #include "primitect/detector.h"
 #include "test/support/ball_and_wall.h"
 
@@ -101,7 +101,19 @@ TEST(ProjectedFrame, MayHoldSeveralFramesOfOneCamera) {
   ASSERT_GE(ball, 0);
   const double seen = 3.0 * kScene.onBall(kScene.image(3));
   EXPECT_NEAR(detector.result().items[ball].inlier_count, seen, 0.06 * seen);
+  EXPECT_TRUE(ProjectedImage().make(cloud));
   expectCountsAreThoseOfLabels(detector, cloud);
+}
+
+TEST(ProjectedFrame, IsMadeWhereNormalFieldsHoldNothing) {
+  Cloud cloud = unorganized(pointsOf(kScene.image(12))), same = cloud;
+  for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) {
+    values->assign(cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  }
+  Detector with_fields{Params()}, without{Params()};
+  const int ball = indexOfBall(with_fields.detect(cloud));
+  ASSERT_GE(ball, 0);
+  EXPECT_EQ(without.detect(same).items[ball].covariance, with_fields.result().items[ball].covariance);
 }
 
 TEST(ProjectedFrame, LeavesAFewPointsFarAsideOut) {
@@ -117,7 +129,9 @@ TEST(ProjectedFrame, LeavesAFewPointsFarAsideOut) {
   Detector detector{Params()};
   const int ball = indexOfBall(detector.detect(cloud));
   ASSERT_GE(ball, 0);
-  EXPECT_LE(detector.result().items[0].inlier_count + detector.result().items[1].inlier_count, seen);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  EXPECT_LT(projected.image().size(), 4 * seen);
   EXPECT_NEAR(detector.result().items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
 }
 
