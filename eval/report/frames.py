@@ -56,6 +56,8 @@ def read_report(path):
     try:
         with open(path, encoding="utf-8") as file:
             report = json.load(file)
+        if report.get("error"):
+            raise ValueError(report["error"])
         return {"detections": report["primitives"], "total_ms": report.get("timing_ms", {}).get("total"),
                 "status": report.get("status", "")}
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:

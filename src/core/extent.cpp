@@ -226,8 +226,6 @@ class Cells {
   List<int> cell_of_;  ///< of each point
 };
 
-/// The outline is around all large parts: something in front may hide what lies between them. A few points of other
-/// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
 /// Around points in a plane; x: direction of one side, of unit length.
 struct Rectangle {
   Vec2 x, middle, size;
@@ -259,6 +257,8 @@ Rectangle smallestRectangle(const List<Vec2>& corners) {
   return {{-smallest.x.y(), smallest.x.x()}, smallest.middle, {smallest.size.y(), smallest.size.x()}};
 }
 
+/// The outline is around all large parts: something in front may hide what lies between them. A few points of other
+/// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
 Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>&& outline) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
@@ -273,11 +273,13 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>
   constexpr double kFlat = 1e-3;
   const Vec3 foot = inliers.origin - distance(plane, inliers.origin) * plane.normal;
   const Eigen::Matrix<double, 3, 2> axes = extent.rotation.leftCols<2>();
-  const List<Vec2> corners = convexHull(border, kFlat * rectangleAlong(Vec2::UnitX(), border).size.norm());
+  const Rectangle along = rectangleAlong(Vec2::UnitX(), border);
+  const List<Vec2> corners = convexHull(border, kFlat * along.size.norm());
   extent.hull = std::move(outline);
   extent.hull.clear();
   for (const Vec2& corner : corners) extent.hull.push_back(foot + axes * corner);
-  const Rectangle around = smallestRectangle(corners);
+  // Points in one place have no hull.
+  const Rectangle around = corners.empty() ? along : smallestRectangle(corners);
   extent.origin = foot + axes * around.middle;
   extent.size.head<2>() = around.size;
   extent.rotation = frameAround(plane.normal, towardsPositiveX(axes * around.x));
