@@ -5,16 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/random.h"
 
 namespace primitect {
 namespace {
 
-/// Bounds of x/z and y/z; in front: no camera sees more.
+/// Of a camera's points so few at either end are strays, and so few may be where no camera sees.
+constexpr double kAside = 0.002;
+
+/// Bounds of x/z and y/z of the points that a camera can see.
 struct View {
   float left, right, top, bottom;
-  bool in_front = false;
+  std::size_t points;  ///< how many these are
 };
 
 View viewOf(const Cloud& cloud) {
@@ -22,23 +26,24 @@ View viewOf(const Cloud& cloud) {
   constexpr std::size_t kAtOnce = 8;
   const float *const x = cloud.x.data(), *const y = cloud.y.data(), *const z = cloud.z.data();
   float left[kAtOnce], right[kAtOnce], top[kAtOnce], bottom[kAtOnce];
+  std::uint32_t seen[kAtOnce] = {};
   for (std::size_t lane = 0; lane < kAtOnce; ++lane) left[lane] = top[lane] = 1e9f, right[lane] = bottom[lane] = -1e9f;
   const auto look = [&](std::size_t i, std::size_t lane) {
-    // Missing points are NaN, of which no comparison holds.
     const float u = x[i] / z[i], v = y[i] / z[i];
-    left[lane] = u < left[lane] ? u : left[lane], right[lane] = u > right[lane] ? u : right[lane];
-    top[lane] = v < top[lane] ? v : top[lane], bottom[lane] = v > bottom[lane] ? v : bottom[lane];
+    // Missing points are NaN, of which no comparison holds.
+    const bool in = (z[i] > 0.0f) & (-kWidest < u) & (u < kWidest) & (-kWidest < v) & (v < kWidest);
+    left[lane] = in & (u < left[lane]) ? u : left[lane], right[lane] = in & (u > right[lane]) ? u : right[lane];
+    top[lane] = in & (v < top[lane]) ? v : top[lane], bottom[lane] = in & (v > bottom[lane]) ? v : bottom[lane];
+    seen[lane] += in ? 1u : 0u;
   };
   std::size_t i = 0;
   for (; i + kAtOnce <= cloud.size(); i += kAtOnce) {
     for (std::size_t lane = 0; lane < kAtOnce; ++lane) look(i + lane, lane);
   }
   for (; i < cloud.size(); ++i) look(i, 0);
-  View view = {*std::min_element(left, left + kAtOnce), *std::max_element(right, right + kAtOnce),
-               *std::min_element(top, top + kAtOnce), *std::max_element(bottom, bottom + kAtOnce)};
-  view.in_front = cloud.behind_count == 0 && -kWidest < view.left && view.right < kWidest && -kWidest < view.top &&
-                  view.bottom < kWidest;
-  return view;
+  return {*std::min_element(left, left + kAtOnce), *std::max_element(right, right + kAtOnce),
+          *std::min_element(top, top + kAtOnce), *std::max_element(bottom, bottom + kAtOnce),
+          std::accumulate(seen, seen + kAtOnce, std::size_t{0})};
 }
 
 /// How many of the pixels up to two steps around this one there are, and how many of these are measured.
@@ -75,7 +80,7 @@ bool isSparse(const Cloud& image) {
 
 /// Narrows [first, last] to where these values lie, unless nearly all of it is needed.
 void narrow(List<float>& values, float& first, float& last) {
-  constexpr double kAside = 0.002, kMargin = 0.1;  // share of the values at either end; of what is between them
+  constexpr double kMargin = 0.1;  // of what is between the ends
   constexpr float kMuchWider = 1.5f;
   const auto aside = static_cast<std::ptrdiff_t>(kAside * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + aside, values.end());
@@ -94,7 +99,7 @@ void leaveOutStrays(const Cloud& cloud, View& view) {
   List<float> u, v;
   for (int k = 0; k < kLookedAt; ++k) {
     const std::size_t i = random.below(cloud.size());
-    if (!cloud.valid(i)) continue;
+    if (!(cloud.z[i] > 0.0f)) continue;  // NaN, a missing point, neither
     u.push_back(cloud.x[i] / cloud.z[i]);
     v.push_back(cloud.y[i] / cloud.z[i]);
   }
@@ -116,7 +121,8 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const float column = (cloud.x[i] / cloud.z[i] - left) / pitch, row = (cloud.y[i] / cloud.z[i] - top) / pitch;
-    if (!(0.0f <= column && column < columns && 0.0f <= row && row < rows)) continue;  // NaN, a missing point, neither
+    const bool inside = 0.0f <= column && column < columns && 0.0f <= row && row < rows;
+    if (!inside || !(cloud.z[i] > 0.0f)) continue;  // NaN, a missing point, neither
     const std::uint32_t pixel = static_cast<std::uint32_t>(row) * image_.width + static_cast<std::uint32_t>(column);
     pixel_[i] = pixel;
     const float there = image_.z[pixel];
@@ -131,14 +137,15 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
 bool ProjectedImage::make(const Cloud& cloud) {
   constexpr double kMostHidden = 0.05;             // of the points
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
-  constexpr int kTimes = 5;
-  if (cloud.valid_count == 0 || cloud.behind_count > 0 || (cloud.organized() && !isSparse(cloud))) return false;
+  constexpr int kTimes = 7;
+  if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
   View view = viewOf(cloud);
-  if (!view.in_front) return false;
+  if (static_cast<double>(view.points) < (1.0 - kAside) * cloud.valid_count) return false;
   leaveOutStrays(cloud, view);
   const float width = view.right - view.left, height = view.bottom - view.top;
   if (!(width > 0.0f && height > 0.0f)) return false;
   const double points = cloud.valid_count, most_pixels = std::max(8.0 * points, 1048576.0);
+  const double finest = 1.05 * width * height / most_pixels;  // with the pixels at the borders
   double rays = points, before = 0.0, pixel_size = width * height / rays;
   for (int time = 0; time < kTimes; ++time) {
     const auto pitch = static_cast<float>(std::sqrt(pixel_size));
@@ -154,7 +161,7 @@ bool ProjectedImage::make(const Cloud& cloud) {
       rays = held, before = 0.0, pixel_size = width * height / rays;
     } else {
       // Most of what is in view is empty.
-      pixel_size *= held / rays, before = held;
+      pixel_size = std::max(pixel_size * held / rays, finest), before = held;
     }
   }
   return false;

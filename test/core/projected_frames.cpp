@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -133,6 +134,39 @@ TEST(ProjectedFrame, LeavesAFewPointsFarAsideOut) {
   ASSERT_TRUE(projected.make(cloud));
   EXPECT_LT(projected.image().size(), 4 * seen);
   EXPECT_NEAR(detector.result().items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
+}
+
+TEST(ProjectedFrame, LeavesOutWhatNoCameraSees) {
+  const Cloud image = kScene.image(13);
+  std::vector<Eigen::Vector3f> points = pointsOf(image);
+  points.emplace_back(0.1f, 0.0f, -1.0f);  // behind the sensor
+  points.emplace_back(5.0f, 0.0f, 1.0f);   // beside it
+  const Cloud cloud = unorganized(points);
+  Detector detector{Params()};
+  const int ball = indexOfBall(detector.detect(cloud));
+  ASSERT_GE(ball, 0);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  EXPECT_EQ(std::count(projected.pixel().begin(), projected.pixel().end(), ProjectedImage::kNoPixel), 2);
+  EXPECT_NEAR(detector.result().items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
+  // Seen from a place among its points a cloud is none of a camera's.
+  for (std::size_t k = 0; k < points.size() / 100; ++k) points.emplace_back(0.1f, 0.0f, -1.0f);
+  EXPECT_FALSE(projected.make(unorganized(points)));
+}
+
+TEST(ProjectedFrame, MayHoldSeveralFramesWithoutTheirBackground) {
+  // What is left keeps the view wide and nearly empty: pixels that part all points of all frames would be too many.
+  const double strip = 0.98 * 320.0 / 570.0 * kScene.wall;
+  std::vector<Eigen::Vector3f> points;
+  for (std::uint64_t seed = 14; seed < 18; ++seed) {
+    for (const Eigen::Vector3f& point : pointsOf(kScene.image(seed))) {
+      if (point.z() < kScene.wall - 0.1 || std::fabs(point.x()) > strip) points.push_back(point);
+    }
+  }
+  const Cloud cloud = unorganized(points);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  EXPECT_GT(projected.image().valid_count, 0.5 * 0.25 * cloud.valid_count) << "half of the rays of a frame";
 }
 
 TEST(ProjectedFrame, IsACoarserOneWhereFewPixelsAreMeasured) {
