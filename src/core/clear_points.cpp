@@ -130,8 +130,13 @@ void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection
                 const std::uint32_t* points, Places& places) {
   constexpr double kReach = 3.5;  // standard deviations: both sides of where two shapes meet
   float *x = places.x, *y = places.y, *z = places.z;
+  const bool by_normals = normals.taken && cloud.hasNormals();
   for (std::size_t k = 0; k < places.count; ++k) {
-    x[k] = cloud.x[points[k]], y[k] = cloud.y[points[k]], z[k] = cloud.z[points[k]];
+    const std::uint32_t i = points[k];
+    x[k] = cloud.x[i], y[k] = cloud.y[i], z[k] = cloud.z[i];
+    if (!by_normals) continue;
+    // They come from all over the cloud: on their way while feet are found.
+    __builtin_prefetch(&cloud.nx[i]), __builtin_prefetch(&cloud.ny[i]), __builtin_prefetch(&cloud.nz[i]);
   }
   const Feet<kAtOnce> feet(detection.shape, Vec3::Zero(), x, y, z, places.count);
   kernels::loops().tolerances(flattened(noise, kReach), z, places.count, places.reach);
@@ -140,7 +145,7 @@ void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection
     const float away = feet.distance[k];
     x[k] -= away * feet.nx[k], y[k] -= away * feet.ny[k], z[k] -= away * feet.nz[k];
     places.clear[k] = 1;
-    if (!normals.taken || !cloud.hasNormals()) continue;
+    if (!by_normals) continue;
     const std::uint32_t i = points[k];
     const float away_from_sensor = cloud.nx[i] * cloud.x[i] + cloud.ny[i] * cloud.y[i] + cloud.nz[i] * cloud.z[i];
     const float turn = normals.towards_sensor && away_from_sensor > 0.0f ? -side : side;
