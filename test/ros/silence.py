@@ -1,0 +1,43 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where no cloud comes the log says why: a topic of another type, and one that nobody publishes."""
+import sys
+import unittest
+
+import rospy
+import rostest
+from primitect.msg import PrimitiveArray
+from ros_helpers import Collector, wait_for
+from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import Image
+
+
+class Silence(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.log = Collector("/rosout", Log)
+        cls.image = rospy.Publisher("/image", Image, queue_size=1, latch=True)
+        cls.image.publish(Image())
+        cls.outputs = [Collector(name + "/primitives", PrimitiveArray) for name in ("/on_image", "/on_nothing")]
+
+    def why(self, node, topic):
+        """What the log says of the silence, from the topic's name on; None where it says nothing."""
+        start = "%s: no cloud on %s for " % (node, topic)
+
+        def told():
+            return [entry.msg for entry in self.log.all() if entry.level == Log.WARN and entry.msg.startswith(start)]
+        self.assertTrue(wait_for(told), "nothing is told about " + topic)
+        return told()[0].split("; ", 1)[1]
+
+    def test_another_type_is_named_with_the_launch_file_that_takes_it(self):
+        self.assertEqual(self.why("/on_image", "/image"),
+                         "it is a sensor_msgs/Image, not a sensor_msgs/PointCloud2 (depth_image.launch takes depth:=TOPIC)")
+
+    def test_a_topic_that_nobody_publishes(self):
+        self.assertEqual(self.why("/on_nothing", "/misspelt"), "nobody publishes it (launch files take input:=TOPIC)")
+
+
+if __name__ == "__main__":
+    rospy.init_node("silence")
+    rostest.rosrun("primitect", "silence", Silence, sys.argv)
