@@ -17,6 +17,7 @@ PRECISION, RECALL, DOD, RADIUS, AXIS, HALF_ANGLE, FALSE_CURVED, F1 = (
     "typed_precision", "typed_recall", "typed_dod", "radius", "axis", "half_angle", "false_curved", "typed_f1")
 PEERS = ("cgal", "cgal-3sigma", "pcl-sac")
 PEER_CLOUDS = 10  # at most, for rows with peers: they are slow, and all are compared on the same clouds
+TABLES_PER_CLOUD = 4  # so many times as many tables as clouds of other sets: each has few cylinders, cones and spheres
 UNEVEN, UNEVEN_FRAMES = 10.0, 3.0  # a depth frame gets holes
 MIXED, TABLES = "mixed", "tables"
 
@@ -109,6 +110,7 @@ def experiments(methods, clouds, peers, only=None):
             continue
         compared = [peer for peer in PEERS if peer in peers and wants_peers(row)]
         names = ("truth", *methods, *compared)
-        count = min(clouds, PEER_CLOUDS) if wants_peers(row) else clouds
+        of_set = clouds * TABLES_PER_CLOUD if row.recipe.set == "tabletop" else clouds
+        count = min(clouds, PEER_CLOUDS) if wants_peers(row) else of_set
         result[row.recipe] = Experiment("accuracy", row.recipe, dict.fromkeys(names, count), REPEAT)
     return list(result.values())

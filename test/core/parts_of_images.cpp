@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "primitect/detector.h"
 #include "test/support/ball_and_wall.h"
@@ -61,6 +63,23 @@ TEST(PartOfAnImage, HasNoMoreSamplesThanItsWindowsTellApart) {
   EXPECT_GT(alone.valid_count, 1500u);
   EXPECT_LT(found.samples, alone.valid_count / 10);
   EXPECT_GT(found.items[0].inlier_count, 0.9 * alone.valid_count) << "the measures are taken from all";
+}
+
+TEST(PartOfAnImage, HasMoreSamplesWhereEachBringsItsOwnNormal) {
+  const BallAndWall scene{1, 1.2, {Vec3(0.05, 0.02, 1.0), 0.04}};
+  Cloud alone = ballAlone(scene, 12, true);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  for (std::vector<float>* normals : {&alone.nx, &alone.ny, &alone.nz}) normals->assign(alone.size(), none);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    if (!alone.valid(i)) continue;
+    const Vec3 away = (Vec3(alone.x[i], alone.y[i], alone.z[i]) - scene.ball.center).normalized();
+    alone.nx[i] = static_cast<float>(away.x()), alone.ny[i] = static_cast<float>(away.y());
+    alone.nz[i] = static_cast<float>(away.z());
+  }
+  Detector detector{Params()};
+  const Detections& found = detector.detect(alone);
+  expectOnlyBall(scene.ball, found);
+  EXPECT_GT(found.samples, alone.valid_count / 2);
 }
 
 TEST(PartOfAnImage, KeepsTheScaleThatItIsGiven) {
