@@ -150,7 +150,7 @@ struct Detections {
   std::uint32_t points_in = 0;    ///< points received
   std::uint32_t points_used = 0;  ///< of these, measured and within the depth range
   std::uint32_t samples = 0;      ///< points that voted
-  double scene_diameter = 0.0;    ///< d_s of the paper (m)
+  double scene_diameter = 0.0;    ///< d_s (m), see Params::scene_diameter
   Refusals refusals;
 };
 

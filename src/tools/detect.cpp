@@ -30,6 +30,7 @@ struct Targets {
         labels("--labels", options.labels, ".ply", options.files, false),
         picture("--picture", options.picture, ".png", options.files, false) {
     tools::refuseSharedFiles({&json, &labels, &picture}, options.files.size());
+    tools::refuseUnwritable({&json, &labels, &picture}, options.files.size());
   }
 };
 

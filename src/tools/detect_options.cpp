@@ -4,6 +4,7 @@
 #include "tools/detect_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -132,6 +133,10 @@ void checkFiles(const DetectOptions& options) {
     if (io::isDepthImage(file) && !options.depth_image.intrinsics) {
       throw std::invalid_argument(file + ": a depth image needs --intrinsics fx,fy,cx,cy");
     }
+  }
+  if (options.depth_image.intrinsics && std::none_of(options.files.begin(), options.files.end(), io::isDepthImage)) {
+    throw std::invalid_argument(
+        "--intrinsics: none of the files is a depth image, point files have their own geometry");
   }
 }
 

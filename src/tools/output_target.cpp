@@ -3,6 +3,8 @@
 // Files and directories for results.
 #include "tools/output_target.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -70,6 +72,22 @@ void refuseSharedFiles(const std::vector<const OutputTarget*>& targets, std::siz
       if (other == target) continue;
       throw std::invalid_argument(other->option() + " and " + target->option() + " would both be written to " +
                                   target->path(i));
+    }
+  }
+}
+
+void refuseUnwritable(const std::vector<const OutputTarget*>& targets, std::size_t inputs) {
+  for (const OutputTarget* target : targets) {
+    if (!target->wanted() || target->toStdout()) continue;
+    for (std::size_t i = 0; i < inputs; ++i) {
+      const fs::path file = target->path(i), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+      if (!fs::is_directory(folder)) {
+        throw std::invalid_argument(target->option() + ": " + file.string() + ": there is no directory " +
+                                    folder.string());
+      }
+      if (::access((fs::exists(file) ? file : folder).c_str(), W_OK) != 0) {
+        throw std::invalid_argument(target->option() + ": " + file.string() + " cannot be written");
+      }
     }
   }
 }

@@ -34,6 +34,10 @@ class OutputTarget {
 /// Throws std::invalid_argument naming both options when two of the outputs of so many inputs would be the same file.
 void refuseSharedFiles(const std::vector<const OutputTarget*>& targets, std::size_t inputs);
 
+/// Before the work begins that would be lost: throws std::invalid_argument naming the option when a directory is
+/// missing or must not be written to.
+void refuseUnwritable(const std::vector<const OutputTarget*>& targets, std::size_t inputs);
+
 /// Writes a whole file; throws std::runtime_error naming it when that fails.
 void writeTextFile(const std::string& path, const std::string& text);
 
