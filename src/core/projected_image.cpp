@@ -64,20 +64,6 @@ struct Surroundings {
   }
 };
 
-/// Around its points most pixels of the image are missing, or nearly so: windows would hold too few. Of images that a
-/// sensor fills 0.9 of these are measured, of one thing cut out of them 0.77.
-bool isSparse(const Cloud& image) {
-  constexpr int kTries = 4096;
-  constexpr double kDense = 0.6, kEnough = 256 * 25;
-  Random random(1);
-  Surroundings seen;
-  for (int k = 0; k < kTries && static_cast<double>(seen.all) < kEnough; ++k) {
-    const std::size_t pixel = random.below(image.size());
-    if (image.valid(pixel)) seen.add(image, pixel);
-  }
-  return static_cast<double>(seen.measured) < kDense * static_cast<double>(seen.all);
-}
-
 /// Narrows [first, last] to where these values lie, unless nearly all of it is needed.
 void narrow(List<float>& values, float& first, float& last) {
   constexpr double kMargin = 0.1;  // of what is between the ends
@@ -110,6 +96,18 @@ void leaveOutStrays(const Cloud& cloud, View& view) {
 
 }  // namespace
 
+bool isSparse(const Cloud& image) {
+  constexpr int kTries = 4096;
+  constexpr double kDense = 0.6, kEnough = 256 * 25;
+  Random random(1);
+  Surroundings seen;
+  for (int k = 0; k < kTries && static_cast<double>(seen.all) < kEnough; ++k) {
+    const std::size_t pixel = random.below(image.size());
+    if (image.valid(pixel)) seen.add(image, pixel);
+  }
+  return static_cast<double>(seen.measured) < kDense * static_cast<double>(seen.all);
+}
+
 /// Returns how many points lie in a pixel with one of another surface.
 std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, float pitch) {
   constexpr float kOtherSurface = 0.1f;  // of the depth
@@ -137,7 +135,7 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
 bool ProjectedImage::make(const Cloud& cloud) {
   constexpr double kMostHidden = 0.05;             // of the points
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
-  constexpr int kTimes = 7;
+  constexpr int kTimes = 5;
   if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
   View view = viewOf(cloud);
   if (static_cast<double>(view.points) < (1.0 - kAside) * cloud.valid_count) return false;
@@ -145,7 +143,6 @@ bool ProjectedImage::make(const Cloud& cloud) {
   const float width = view.right - view.left, height = view.bottom - view.top;
   if (!(width > 0.0f && height > 0.0f)) return false;
   const double points = cloud.valid_count, most_pixels = std::max(8.0 * points, 1048576.0);
-  const double finest = 1.05 * width * height / most_pixels;  // with the pixels at the borders
   double rays = points, before = 0.0, pixel_size = width * height / rays;
   for (int time = 0; time < kTimes; ++time) {
     const auto pitch = static_cast<float>(std::sqrt(pixel_size));
@@ -155,13 +152,14 @@ bool ProjectedImage::make(const Cloud& cloud) {
     image_.reset(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), false);
     const std::size_t hidden = project(cloud, view.left, view.top, pitch);
     const double held = image_.valid_count;
-    if (held >= kLeastKept * rays) return static_cast<double>(hidden) <= kMostHidden * points;
+    // Rows far apart, as of a laser scanner, leave the windows of such an image empty.
+    if (held >= kLeastKept * rays) return static_cast<double>(hidden) <= kMostHidden * points && !isSparse(image_);
     if (held < kMore * before) {
       // Finer pixels part no more points: those that are left share their rays.
       rays = held, before = 0.0, pixel_size = width * height / rays;
     } else {
       // Most of what is in view is empty.
-      pixel_size = std::max(pixel_size * held / rays, finest), before = held;
+      pixel_size *= held / rays, before = held;
     }
   }
   return false;

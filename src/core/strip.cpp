@@ -7,6 +7,12 @@
 
 namespace primitect {
 
+bool isLine(const Detection& detection, const NoiseModel& noise) {
+  constexpr double kWidth = 2.0;  // standard deviations of the noise
+  if (kindOf(detection.shape) != Kind::plane) return false;
+  return detection.extent.size.head<2>().minCoeff() <= kWidth * noise.at(detection.extent.origin);
+}
+
 double trustInStrip(const Extent& extent, const Evidence& evidence) {
   const double longer = extent.size.head<2>().maxCoeff(), shorter = extent.size.head<2>().minCoeff();
   // Measured on simulated frames: strips on tubes are 3.5 to 16 times as long as wide, and most run into others by 1.4

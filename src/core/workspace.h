@@ -25,10 +25,12 @@
 #include "core/pair_voting.h"
 #include "core/plane_parts.h"
 #include "core/projected_image.h"
+#include "core/random.h"
 #include "core/sampling.h"
 #include "core/search.h"
 #include "core/segmentation.h"
 #include "core/spare_outlines.h"
+#include "core/strip.h"
 #include "core/thinned_cloud.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
@@ -76,8 +78,7 @@ struct Detector::Workspace {
   /// Of all rounds of this frame.
   const Samples& allSamples() const { return params.verify ? verification.samples() : all_samples; }
 
-  /// Forgets the last frame and looks whether this one can be used. Returns the cloud to work on: what a filter made of
-  /// a depth camera's image, and brings no normals, gets its image back.
+  /// Forgets the last frame and looks whether this one can be used. Returns the cloud to work on.
   const Cloud& begin(const Cloud& cloud, const Effort& frame_effort) {
     effort = &frame_effort;
     out_of_time = false;
@@ -92,13 +93,39 @@ struct Detector::Workspace {
     result.status = statusOf(cloud);
     depth_camera = is_projected = false;
     if (result.status != Status::ok) return cloud;
-    is_projected = !bringsNormals(cloud) && projected.make(cloud) && statusOf(projected.image()) == Status::ok;
-    const Cloud& seen = is_projected ? projected.image() : cloud;
+    const Cloud& seen = arranged(cloud);
     labeling.begin(seen);
-    depth_camera = params.verify && params.inlier_depth_share > 0.0 && isDepthImage(seen);
+    depth_camera = params.verify && params.inlier_depth_share > 0.0 && isDepthImage(seen) && isNear(seen);
     voting.setReferences(atThisEffort(params.references));
     verification.setMinInliers(inliersAtThisEffort());
     return seen;
+  }
+
+  /// What a filter made of a depth camera's image, and brings no normals, gets its image back. Rows far apart, as of a
+  /// laser scanner, are no image: the points are taken as they are.
+  const Cloud& arranged(const Cloud& cloud) {
+    if (bringsNormals(cloud)) return cloud;
+    const bool sparse = cloud.organized() && isSparse(cloud);
+    if (cloud.organized() && !sparse) return cloud;
+    is_projected = projected.make(cloud) && statusOf(projected.image()) == Status::ok;
+    if (is_projected) return projected.image();
+    if (!sparse) return cloud;
+    as_list = cloud;
+    as_list.width = static_cast<std::uint32_t>(cloud.size()), as_list.height = 1;
+    return as_list;
+  }
+
+  /// Within what a depth camera measures: what is known of their noise would allow everything far beyond.
+  static bool isNear(const Cloud& cloud) {
+    constexpr int kLookedAt = 256;
+    constexpr double kFarthest = 10.0;  // m, on average
+    Random random(1);
+    double sum = 0.0, count = 0.0;
+    for (int k = 0; k < kLookedAt; ++k) {
+      const std::size_t i = random.below(cloud.size());
+      if (cloud.valid(i)) sum += cloud.z[i], count += 1.0;
+    }
+    return sum <= kFarthest * count;
   }
 
   /// Any that are wanted; fields that hold none are as good as none.
@@ -331,6 +358,7 @@ struct Detector::Workspace {
     const auto enough = [&](std::size_t k) {
       return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole);
     };
+    const auto within = [this](std::size_t k) { return !isLine(result.items[k], verification.noise()); };
     const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
     for (std::size_t k = 0; k < result.items.size(); ++k) {
       if (!enough(k)) {
@@ -338,9 +366,13 @@ struct Detector::Workspace {
         continue;
       }
       measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
-      if (!likely(k)) ++result.refusals[Refusal::unlikely];
+      if (!within(k)) {
+        ++result.refusals[Refusal::limits];
+      } else if (!likely(k)) {
+        ++result.refusals[Refusal::unlikely];
+      }
     }
-    spare_outlines.keep(result.items, [&](std::size_t k) { return enough(k) && likely(k); });
+    spare_outlines.keep(result.items, [&](std::size_t k) { return enough(k) && within(k) && likely(k); });
   }
 
   /// How many points the measures of each detection are taken from. 4096 instead of 2048: on the paper's scenes DOD is
@@ -388,6 +420,7 @@ struct Detector::Workspace {
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
   bool is_projected = false;       ///< this frame is worked on as an image that was made of it
   ProjectedImage projected;
+  Cloud as_list;  ///< a sparse image that cannot be projected
   PairVoting voting;
   Verification verification;
   Search search;

@@ -121,11 +121,15 @@ std::string emptyText(const Detections& found, const Cloud& whole, const DepthRa
 
 }  // namespace
 
+/// No depth camera sees so far (m).
+constexpr double kMillimetres = 100.0;
+
 std::string resultText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
   const Detections& found = report.detections;
   std::string text = report.file + ": " + sizeText(whole) + ", " +
                      format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
                             effortText(report).c_str(), found.scene_diameter);
+  if (found.scene_diameter > kMillimetres) text += "  note: lengths are taken for metres; are they millimetres?\n";
   if (found.items.empty()) {
     text += "  nothing found: " + emptyText(found, whole, range) + "\n";
   } else {

@@ -64,6 +64,14 @@ TEST(Extent, OfASquareIsAsWideAsItIsWhereverThePointsLie) {
   }
 }
 
+TEST(Extent, OfPointsInOnePlaceIsThatPlace) {
+  const Vec3 place(0.1, 0.2, 1.0);
+  const Extent extent = measureExtent(Plane{place, -Vec3::UnitZ()}, std::vector<Vec3>(100, place));
+  EXPECT_LT((extent.origin - place).norm(), 1e-6);
+  EXPECT_EQ(extent.size.head<2>().norm(), 0.0);
+  EXPECT_TRUE(extent.hull.empty());
+}
+
 TEST(Extent, OfACylinderLiesBetweenItsSeenEnds) {
   Random random(35);
   const Cylinder cylinder = {Vec3(0.1, 0.2, 1.0), Vec3(0, -1, 0), 0.05};

@@ -140,7 +140,7 @@ TEST(ProjectedFrame, LeavesOutWhatNoCameraSees) {
   const Cloud image = kScene.image(13);
   std::vector<Eigen::Vector3f> points = pointsOf(image);
   points.emplace_back(0.1f, 0.0f, -1.0f);  // behind the sensor
-  points.emplace_back(5.0f, 0.0f, 1.0f);   // beside it
+  points.emplace_back(2.1f, 0.0f, 1.0f);   // beside it
   const Cloud cloud = unorganized(points);
   Detector detector{Params()};
   const int ball = indexOfBall(detector.detect(cloud));
@@ -154,19 +154,47 @@ TEST(ProjectedFrame, LeavesOutWhatNoCameraSees) {
   EXPECT_FALSE(projected.make(unorganized(points)));
 }
 
-TEST(ProjectedFrame, MayHoldSeveralFramesWithoutTheirBackground) {
-  // What is left keeps the view wide and nearly empty: pixels that part all points of all frames would be too many.
-  const double strip = 0.98 * 320.0 / 570.0 * kScene.wall;
+TEST(ProjectedFrame, IsNoneOfRowsFarApart) {
+  // As of a laser scanner: an image with empty rows between would leave its windows nothing to fit.
+  test::BallAndWall scene;
+  scene.every = 1;
+  scene.ball.radius = 0.2;
+  Cloud image = scene.image(19);
   std::vector<Eigen::Vector3f> points;
-  for (std::uint64_t seed = 14; seed < 18; ++seed) {
-    for (const Eigen::Vector3f& point : pointsOf(kScene.image(seed))) {
-      if (point.z() < kScene.wall - 0.1 || std::fabs(point.x()) > strip) points.push_back(point);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (i / image.width % 8 == 0) {
+      points.emplace_back(image.x[i], image.y[i], image.z[i]);
+    } else {
+      image.x[i] = image.y[i] = image.z[i] = std::numeric_limits<float>::quiet_NaN();
     }
   }
-  const Cloud cloud = unorganized(points);
-  ProjectedImage projected;
-  ASSERT_TRUE(projected.make(cloud));
-  EXPECT_GT(projected.image().valid_count, 0.5 * 0.25 * cloud.valid_count) << "half of the rays of a frame";
+  image.countPoints();
+  for (const Cloud& cloud : {image, unorganized(points)}) {
+    EXPECT_FALSE(ProjectedImage().make(cloud));
+    Detector detector{Params()};
+    const Detections& found = detector.detect(cloud);
+    ASSERT_EQ(found.items.size(), 2u) << cloud.height;
+    int balls = 0;
+    for (const Detection& item : found.items) {
+      const Sphere* sphere = std::get_if<Sphere>(&item.shape);
+      balls += sphere && std::abs(sphere->radius - scene.ball.radius) < 0.005 ? 1 : 0;
+    }
+    EXPECT_EQ(balls, 1) << cloud.height;
+    expectCountsAreThoseOfLabels(detector, cloud);
+  }
+}
+
+TEST(ProjectedFrame, OfOtherUnitsHasNotTheNoiseOfACamera) {
+  // In millimetres a camera's noise, which grows with the square of the depth, would allow everything.
+  std::vector<Eigen::Vector3f> points = pointsOf(kScene.image(20));
+  for (Eigen::Vector3f& point : points) point *= 1000.0f;
+  Detector detector{Params()};
+  int balls = 0;
+  for (const Detection& item : detector.detect(unorganized(points)).items) {
+    const Sphere* sphere = std::get_if<Sphere>(&item.shape);
+    balls += sphere && std::abs(sphere->radius - 1000.0 * kScene.ball.radius) < 5.0 ? 1 : 0;
+  }
+  EXPECT_EQ(balls, 1);
 }
 
 TEST(ProjectedFrame, IsACoarserOneWhereFewPixelsAreMeasured) {

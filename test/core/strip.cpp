@@ -15,6 +15,19 @@ double trust(double length, double width, float runs_into) {
   return trustInStrip(extent, evidence);
 }
 
+TEST(IsLine, OfAPlaneNoWiderThanTheNoise) {
+  const NoiseModel noise = {0.001};
+  Detection detection;
+  detection.shape = Plane{Vec3(0, 0, 1), -Vec3::UnitZ()};
+  detection.extent.size = Vec3(0.4, 0.0019, 0.0);
+  EXPECT_TRUE(isLine(detection, noise));
+  detection.extent.size = Vec3(0.4, 0.0021, 0.0);
+  EXPECT_FALSE(isLine(detection, noise));
+  detection.extent.size = Vec3(0.4, 0.0, 0.0);
+  detection.shape = Sphere{Vec3(0, 0, 1), 0.1};
+  EXPECT_FALSE(isLine(detection, noise));
+}
+
 TEST(TrustInStrip, IsGoneForALongOneThatRunsIntoOthersAlongItsSides) {
   EXPECT_EQ(trust(0.22, 0.015, 1.7f), 0.0);
   EXPECT_EQ(trust(0.015, 0.22, 1.7f), 0.0);
