@@ -71,13 +71,14 @@ class Looking {
     return {next(-1), next(1)};
   }
 
-  /// Single pixels are missing everywhere; and a projector beside the camera leaves a gap along the edge of what hides.
+  /// Single pixels are missing everywhere; a projector beside the camera leaves a gap along the edge of what hides; and
+  /// of what is missing up to the border nobody knows why: what hid may have been cut away.
   bool inHole(int column, int row, const Vec3& expected, double sigma) const {
     constexpr int kWidestDropout = 8;  // px
     const Gap gap = gapAt(column, row);
-    if (gap.left > 0 && gap.right > 0 && gap.left + gap.right <= kWidestDropout) return false;
-    return !(gap.left > 0 && isShadow(column - gap.left, row, gap.left, expected, sigma)) &&
-           !(gap.right > 0 && isShadow(column + gap.right, row, gap.right, expected, sigma));
+    if (gap.left == 0 || gap.right == 0 || gap.left + gap.right <= kWidestDropout) return false;
+    return !isShadow(column - gap.left, row, gap.left, expected, sigma) &&
+           !isShadow(column + gap.right, row, gap.right, expected, sigma);
   }
 
   /// A gap as wide as this may be the shadow of the pixel at its end.
