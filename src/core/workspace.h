@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/arrangement.h"
 #include "core/clear_points.h"
 #include "core/clustering.h"
 #include "core/dense_fit.h"
@@ -24,8 +25,6 @@
 #include "core/normals.h"
 #include "core/pair_voting.h"
 #include "core/plane_parts.h"
-#include "core/projected_image.h"
-#include "core/random.h"
 #include "core/sampling.h"
 #include "core/search.h"
 #include "core/segmentation.h"
@@ -91,41 +90,14 @@ struct Detector::Workspace {
     result.points_in = static_cast<std::uint32_t>(cloud.size());
     result.points_used = cloud.valid_count;
     result.status = statusOf(cloud);
-    depth_camera = is_projected = false;
+    depth_camera = false;
     if (result.status != Status::ok) return cloud;
-    const Cloud& seen = arranged(cloud);
+    const Cloud& seen = arrangement.of(cloud, bringsNormals(cloud));
     labeling.begin(seen);
-    depth_camera = params.verify && params.inlier_depth_share > 0.0 && isDepthImage(seen) && isNear(seen);
+    depth_camera = params.verify && params.inlier_depth_share > 0.0 && mayBeOfDepthCamera(seen);
     voting.setReferences(atThisEffort(params.references));
     verification.setMinInliers(inliersAtThisEffort());
     return seen;
-  }
-
-  /// What a filter made of a depth camera's image, and brings no normals, gets its image back. Rows far apart, as of a
-  /// laser scanner, are no image: the points are taken as they are.
-  const Cloud& arranged(const Cloud& cloud) {
-    if (bringsNormals(cloud)) return cloud;
-    const bool sparse = cloud.organized() && isSparse(cloud);
-    if (cloud.organized() && !sparse) return cloud;
-    is_projected = projected.make(cloud) && statusOf(projected.image()) == Status::ok;
-    if (is_projected) return projected.image();
-    if (!sparse) return cloud;
-    as_list = cloud;
-    as_list.width = static_cast<std::uint32_t>(cloud.size()), as_list.height = 1;
-    return as_list;
-  }
-
-  /// Within what a depth camera measures: what is known of their noise would allow everything far beyond.
-  static bool isNear(const Cloud& cloud) {
-    constexpr int kLookedAt = 256;
-    constexpr double kFarthest = 10.0;  // m, on average
-    Random random(1);
-    double sum = 0.0, count = 0.0;
-    for (int k = 0; k < kLookedAt; ++k) {
-      const std::size_t i = random.below(cloud.size());
-      if (cloud.valid(i)) sum += cloud.z[i], count += 1.0;
-    }
-    return sum <= kFarthest * count;
   }
 
   /// Any that are wanted; fields that hold none are as good as none.
@@ -167,9 +139,8 @@ struct Detector::Workspace {
 
   /// In a small part of a depth image samples could lie side by side. Where their normals are fitted to windows these
   /// overlap: more of them tell nothing new, but what errs in one errs in all, and slivers of a flank pass for planes.
-  /// Measured on 120 objects cut out of
-  /// tables (compare --set objects, seeds 1, 2300, 7000): as many are found either way, precision is 96 to 99 % instead
-  /// of 80 to 86 %, in a third of the time.
+  /// Measured on 120 objects cut out of tables (compare --set objects, seeds 1, 2300, 7000): as many are found either
+  /// way, precision is 96 to 99 % instead of 80 to 86 %, in a third of the time.
   std::size_t mostSamples(const Cloud& cloud) {
     constexpr double kOfUsualWindow = 24.0, kFewest = 64.0;  // px; samples
     if (!depth_camera || bringsNormals(cloud)) return cloud.size();
@@ -306,7 +277,7 @@ struct Detector::Workspace {
   /// What the measures are taken from: the cloud, or where it is large a part of it. An image that was made of a cloud
   /// stays whole: its pixels stand for different numbers of points.
   void thin(const Cloud& whole) {
-    is_projected ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
+    arrangement.projected() ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
     if (thinned.thinned()) labeling_of_thinned.begin(thinned.cloud());
   }
 
@@ -315,8 +286,8 @@ struct Detector::Workspace {
     far_sides.clear();
     if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, labels);
     pointsOfLabels(labels, mostPoints(), points);
-    if (is_projected) {  // a pixel may hold several points of the cloud
-      const List<std::size_t> all = projected.pointsOfLabels(labels, points.size());
+    if (arrangement.projected()) {  // a pixel may hold several points of the cloud
+      const List<std::size_t> all = arrangement.projected()->pointsOfLabels(labels, points.size());
       for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
       return;
     }
@@ -353,7 +324,8 @@ struct Detector::Workspace {
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
     const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
     // Pixels of a projected image are not where a camera's were.
-    const ImageRays rays = is_projected ? ImageRays() : everySoMany(thinned.step(), raysOf(whole, normal_source));
+    const ImageRays rays =
+        arrangement.projected() ? ImageRays() : everySoMany(thinned.step(), raysOf(whole, normal_source));
     Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
     const auto enough = [&](std::size_t k) {
       return points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole);
@@ -391,7 +363,7 @@ struct Detector::Workspace {
   /// flank of a tube leaves over, and crumbs of clutter, pass for planes: these need more, and in an image, where every
   /// sample stands for as many pixels, twice as much.
   std::size_t fewestPoints(Kind kind, const Cloud& cloud) const {
-    const bool in_image = cloud.organized() && depth_camera && !is_projected;
+    const bool in_image = cloud.organized() && depth_camera && !arrangement.projected();
     // Of the points that as many samples stand for on average.
     const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
     // Without the closer look each of the few samples stands for no more than it would with it.
@@ -418,9 +390,7 @@ struct Detector::Workspace {
   const Effort* effort = nullptr;  ///< only while a frame runs
   bool out_of_time = false;        ///< in this frame
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
-  bool is_projected = false;       ///< this frame is worked on as an image that was made of it
-  ProjectedImage projected;
-  Cloud as_list;  ///< a sparse image that cannot be projected
+  Arrangement arrangement;
   PairVoting voting;
   Verification verification;
   Search search;

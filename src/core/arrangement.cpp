@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Image, image again, or list; see arrangement.h.
+#include "core/arrangement.h"
+
+#include <cstdint>
+
+#include "core/normals.h"
+#include "core/random.h"
+#include "primitect/detector.h"
+
+namespace primitect {
+
+const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
+  is_projected_ = false;
+  if (brings_normals) return cloud;
+  const bool sparse = cloud.organized() && isSparse(cloud);
+  if (cloud.organized() && !sparse) return cloud;
+  is_projected_ = projected_.make(cloud) && projected_.image().valid_count >= kFewestPoints;
+  if (is_projected_) return projected_.image();
+  if (!sparse) return cloud;
+  list_ = cloud;
+  list_.width = static_cast<std::uint32_t>(cloud.size()), list_.height = 1;
+  return list_;
+}
+
+bool mayBeOfDepthCamera(const Cloud& cloud) {
+  constexpr int kLookedAt = 256;
+  constexpr double kFarthest = 10.0;  // m, on average
+  if (!isDepthImage(cloud)) return false;
+  Random random(1);
+  double sum = 0.0, count = 0.0;
+  for (int k = 0; k < kLookedAt; ++k) {
+    const std::size_t i = random.below(cloud.size());
+    if (cloud.valid(i)) sum += cloud.z[i], count += 1.0;
+  }
+  return sum <= kFarthest * count;
+}
+
+}  // namespace primitect
