@@ -57,7 +57,7 @@ def groups(lines):
     chosen = {SCENES: [line for line in lines if line["set"] not in FRAMES + (CUT_OUT,)],
               "depth frames": [line for line in lines if line["set"] in FRAMES and not line.get("shuffle")],
               "shuffled frames": [line for line in lines if line["set"] in FRAMES and line.get("shuffle")],
-              "things cut out of depth frames": [line for line in lines if line["set"] == CUT_OUT]}
+              "cut out of frames": [line for line in lines if line["set"] == CUT_OUT]}
     return {name: some for name, some in chosen.items() if detections(some)}
 
 

@@ -24,7 +24,7 @@ def reliability(lines, folder):
         some = [one for one in bins if one.count]
         top.plot([one.confidence for one in some], [one.right for one in some], "o-", color="#0b62b8",
                  label="share that is right")
-        top.set_title("%s:\nexpected calibration error %.3f" % (name, trust.calibration_error(bins)))
+        top.set_title("%s\nECE %.3f" % (name, trust.calibration_error(bins)))
         top.set_ylim(-0.03, 1.03)
         bottom.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)], [one.count for one in bins],
                    0.9 / trust.BINS, color="#a9a9a9")
@@ -33,7 +33,8 @@ def reliability(lines, folder):
         bottom.set_xlabel("confidence")
     axes[0][0].set_ylabel("share right")
     axes[1][0].set_ylabel("detections")
-    return figures.finish(figure, "Confidence of detections", os.path.join(folder, "reliability.png"))
+    return figures.finish(figure, "Confidence of detections", os.path.join(folder, "reliability.png"),
+                          note="ECE: expected calibration error, the mean distance of the two, weighted by the detections.")
 
 
 def normalised_errors(lines, folder):
@@ -43,12 +44,16 @@ def normalised_errors(lines, folder):
     chosen = {name: errors for name, errors in chosen.items() if any(count for _, count in errors.values())}
     if not chosen:
         return None
-    figure, axes = figures.panels(1, len(chosen), 4.2, sharey=True)
+    rows = -(-len(chosen) // 2)  # of two panels: names of kinds need their place
+    figure, axes = figures.panels(rows, min(len(chosen), 2), 1.2 + 3.0 * rows, sharey=True)
+    places = [one for row in axes for one in row]
+    for one in places[len(chosen):]:
+        one.set_visible(False)
     width = 0.16
     # At least a decade, or nearly equal values look far apart.
     values = [value for errors in chosen.values() for value, _ in errors.values() if value]
     lowest, highest = min([0.3] + [0.8 * value for value in values]), max([3.3] + [1.2 * value for value in values])
-    for one, (name, errors) in zip(axes[0], chosen.items()):
+    for one, (name, errors) in zip(places, chosen.items()):
         one.axhspan(*trust.CALIBRATED, color="#dff0df")
         one.axhline(1.0, color="#222222", linewidth=1, linestyle=":")
         for place, kind in enumerate(KINDS):
@@ -63,7 +68,8 @@ def normalised_errors(lines, folder):
         figures.plain_log(one.yaxis, short=True)
         one.grid(False, axis="x")
         one.set_title(name)
-    axes[0][0].set_ylabel("mean squared error / degrees")
+    for row in axes:
+        row[0].set_ylabel("mean squared error / degrees")
     handles = [Patch(color=COLOURS[part], label=part.replace("_", " ")) for part in trust.PARTS]
     return figures.finish(figure, "Errors over what the covariance promises",
                           os.path.join(folder, "nees.png"), (handles, [handle.get_label() for handle in handles]),
