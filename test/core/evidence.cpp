@@ -151,6 +151,28 @@ TEST(Confidence, RisesWithTheInliers) {
   }
 }
 
+TEST(Confidence, IsLowOfABallThatTheSurfaceLeavesAtItsBorder) {
+  // A head: as good as a ball in everything else.
+  Evidence head = usualEvidence(Kind::sphere);
+  head.inliers = 900.0f, head.runs_on = 1.6f, head.border_residual = 1.4f, head.turn = 0.16f;
+  EXPECT_LT(confidenceOf(Kind::sphere, head), 0.2);
+  Evidence ball = head;
+  ball.border_residual = 1.1f;
+  EXPECT_GT(confidenceOf(Kind::sphere, ball), 0.9) << "no more than noise and waves";
+  ball = head;
+  ball.runs_on = 0.3f;
+  EXPECT_GT(confidenceOf(Kind::sphere, ball), 0.9) << "of a few samples it is chance";
+  ball = head;
+  ball.turn = 0.25f;
+  EXPECT_GT(confidenceOf(Kind::sphere, ball), 0.9) << "it fits as far as a ball is seen";
+  for (const Kind kind : {Kind::plane, Kind::cylinder, Kind::cone}) {
+    Evidence other = usualEvidence(kind);
+    const double usual = confidenceOf(kind, other);
+    other.runs_on = 1.6f, other.border_residual = 1.4f;
+    EXPECT_EQ(confidenceOf(kind, other), usual) << kindName(kind);
+  }
+}
+
 TEST(Confidence, LosesLessOfALargeBallToWhatSpeaksAgainstIt) {
   // How much (log-odds) is lost to what speaks against so many inliers.
   const auto lostWith = [](Kind kind, float inliers) {

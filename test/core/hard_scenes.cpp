@@ -120,7 +120,7 @@ TEST(Confidence, OfASphereIsHighOnPartOfASphere) {
 
 // A sphere fits the top of either as well as the noise allows; around it the surface goes on, and the sphere does not.
 
-TEST(Confidence, DISABLED_OfASphereIsLowOnTheTopOfAnEllipsoid) {
+TEST(Confidence, OfASphereIsLowOnTheTopOfAnEllipsoid) {
   const auto ellipsoid = [](double u, double v) { return std::sqrt(0.04 - u * u - v * v / 2.25); };
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Random random(seed);
@@ -128,7 +128,7 @@ TEST(Confidence, DISABLED_OfASphereIsLowOnTheTopOfAnEllipsoid) {
   }
 }
 
-TEST(Confidence, DISABLED_OfASphereIsLowOnTheTopOfAParaboloid) {
+TEST(Confidence, OfASphereIsLowOnTheTopOfAParaboloid) {
   const auto paraboloid = [](double u, double v) { return -2.5 * (u * u + v * v); };
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Random random(seed);
