@@ -139,9 +139,12 @@ std::string typeOf(const std::string& topic) {
 }
 
 std::string whySilent(const std::string& topic, std::uint32_t publishers) {
-  if (publishers > 0) return std::to_string(publishers) + " could publish it";
+  if (publishers > 0) {
+    return std::to_string(publishers) + " could publish it; one that makes it of a depth image needs camera_info, too";
+  }
   const std::string type = typeOf(topic), wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
-  if (type.empty() || type == wanted) return "nobody publishes it (launch files take input:=TOPIC)";
+  if (type.empty() || type == wanted)
+    return "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)";
   const bool image = type == "sensor_msgs/Image";
   return "it is a " + type + ", not a " + wanted + (image ? " (depth_image.launch takes depth:=TOPIC)" : "");
 }

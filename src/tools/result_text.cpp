@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "io/percent_text.h"
+#include "io/point_files.h"
 #include "io/shape_text.h"
 
 namespace primitect::tools {
@@ -110,13 +111,26 @@ std::string depthsText(const Cloud& cloud) {
 }
 
 /// Unlike the detector, this knows whether points were not measured or cut away.
-std::string emptyText(const Detections& found, const Cloud& whole, const DepthRange& range) {
+std::string emptyText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
+  const Detections& found = report.detections;
   const unsigned cut = whole.valid_count - found.points_used;
   if (whole.valid_count == 0) return format("none of the %zu points is measured", whole.size());
   if (cut == 0 || found.status == Status::ok) return io::reasonText(found);
   const std::string by = "cut away by the depth range (" + rangeText(range) + ")";
   if (found.points_used > 0) return io::reasonText(found) + format("; %u were ", cut) + by;
-  return format("all %u measured points, %s, were ", cut, depthsText(whole).c_str()) + by;
+  const std::string scale = io::isDepthImage(report.file) ? "; is --depth-scale that of the image?" : "";
+  return format("all %u measured points, %s, were ", cut, depthsText(whole).c_str()) + by + scale;
+}
+
+/// Clouds of robots and maps have their table or floor through the origin.
+std::string behindText(const Cloud& whole) {
+  constexpr double kStrays = 0.01;
+  const double share = whole.behind_count / std::max<double>(1.0, whole.valid_count);
+  if (!(share > kStrays)) return "";
+  return format(
+      "  note: %.0f %% of the points lie behind the sensor (z <= 0), which is taken to be at the origin and to look "
+      "along z; is the cloud in the frame of the camera?\n",
+      100.0 * share);
 }
 
 }  // namespace
@@ -130,8 +144,9 @@ std::string resultText(const io::FileReport& report, const Cloud& whole, const D
                      format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
                             effortText(report).c_str(), found.scene_diameter);
   if (found.scene_diameter > kMillimetres) text += "  note: lengths are taken for metres; are they millimetres?\n";
+  text += behindText(whole);
   if (found.items.empty()) {
-    text += "  nothing found: " + emptyText(found, whole, range) + "\n";
+    text += "  nothing found: " + emptyText(report, whole, range) + "\n";
   } else {
     text += headingText();
   }

@@ -23,6 +23,11 @@ bool hasSphere(const Json& json, double radius) {
   });
 }
 
+/// A line of an ASCII PLY.
+std::string pointLine(double x, double y, double z) {
+  return std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+}
+
 TEST_F(DetectProgram, FindsTheBallAndWritesNothingButJson) {
   const Json json = runJson(ball);
   EXPECT_EQ(err, "");
@@ -89,6 +94,24 @@ TEST_F(DetectProgram, NamesTheDepthRangeThatCutAllPointsAway) {
   EXPECT_EQ(run(ball + " --max_depth 0.9005"), 0);             // leaves the tip of the ball
   EXPECT_NE(out.find("too few points"), std::string::npos) << out;
   EXPECT_NE(out.find("max_depth 0.9005 m"), std::string::npos) << out;
+}
+
+TEST_F(DetectProgram, AsksWhereUnitsOrFrameCannotBeRight) {
+  std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  std::string metres, millimetres, around_origin;
+  for (int i = 0; i < 400; ++i) {
+    const int column = i % 20, row = i / 20;
+    metres += pointLine(0.05 * column, 0.05 * row, 1.0);
+    millimetres += pointLine(50.0 * column, 50.0 * row, 1000.0);
+    around_origin += pointLine(0.05 * column, 0.05 * row, i % 8 == 0 ? -0.002 : 0.002);
+  }
+  EXPECT_EQ(run(write("metres.ply", header + metres)), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+  EXPECT_EQ(run(write("millimetres.ply", header + millimetres)), 0);
+  EXPECT_NE(out.find("note: lengths are taken for metres; are they millimetres?"), std::string::npos) << out;
+  EXPECT_EQ(run(write("table.ply", header + around_origin)), 0);
+  EXPECT_NE(out.find("note: 12 % of the points lie behind the sensor (z <= 0)"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, DoesNotBlameTheDepthRangeForWhatItDidNotCut) {
@@ -198,6 +221,9 @@ TEST_F(DetectProgram, CutsDepthImagesButNotUnorganizedFiles) {
 TEST_F(DetectProgram, ScalesDepthImages) {
   cv::imwrite(path("image.png"), ballImage());
   const Json json = runJson(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5 --depth-scale 0.0005");
+  EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5 --depth-scale 0.1"), 0);
+  EXPECT_NE(out.find("cut away by the depth range"), std::string::npos) << out;
+  EXPECT_NE(out.find("is --depth-scale that of the image?"), std::string::npos) << out;
   EXPECT_EQ(json["points_used"], 320 * 240);  // the far wall is now at 1.5 m
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where no cloud comes the log says why: a topic of another type, and one that nobody publishes."""
+"""Where no cloud comes the log says why: a topic of another type, one that nobody publishes, a publisher that is quiet."""
 import sys
 import unittest
 
@@ -10,7 +10,7 @@ import rostest
 from primitect.msg import PrimitiveArray
 from ros_helpers import Collector, wait_for
 from rosgraph_msgs.msg import Log
-from sensor_msgs.msg import Image
+from sensor_msgs.msg import Image, PointCloud2
 
 
 class Silence(unittest.TestCase):
@@ -19,7 +19,8 @@ class Silence(unittest.TestCase):
         cls.log = Collector("/rosout", Log)
         cls.image = rospy.Publisher("/image", Image, queue_size=1, latch=True)
         cls.image.publish(Image())
-        cls.outputs = [Collector(name + "/primitives", PrimitiveArray) for name in ("/on_image", "/on_nothing")]
+        cls.quiet = rospy.Publisher("/quiet", PointCloud2, queue_size=1)
+        cls.outputs = [Collector(name + "/primitives", PrimitiveArray) for name in ("/on_image", "/on_nothing", "/on_quiet")]
 
     def why(self, node, topic):
         """What the log says of the silence, from the topic's name on; None where it says nothing."""
@@ -35,7 +36,11 @@ class Silence(unittest.TestCase):
                          "it is a sensor_msgs/Image, not a sensor_msgs/PointCloud2 (depth_image.launch takes depth:=TOPIC)")
 
     def test_a_topic_that_nobody_publishes(self):
-        self.assertEqual(self.why("/on_nothing", "/misspelt"), "nobody publishes it (launch files take input:=TOPIC)")
+        self.assertEqual(self.why("/on_nothing", "/misspelt"), "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)")
+
+    def test_a_publisher_that_never_publishes(self):
+        self.assertEqual(self.why("/on_quiet", "/quiet"),
+                         "1 could publish it; one that makes it of a depth image needs camera_info, too")
 
 
 if __name__ == "__main__":
