@@ -19,6 +19,8 @@ class Failed(Exception):
 
 def environment_of(setup):
     """The environment that a setup.bash makes, with Debian's own python in front."""
+    if not os.path.isfile(setup):
+        raise Failed("%s is missing: these programs were not built with ROS" % setup)
     own = dict(os.environ, PATH="/usr/bin:/bin:" + os.environ.get("PATH", ""))
     text = subprocess.run(["bash", "-c", 'source "$1" >/dev/null && env -0', "bash", setup], env=own, check=True,
                           stdout=subprocess.PIPE, text=True).stdout
