@@ -40,7 +40,7 @@ struct Effort {
 /// The least share of the effort: it leaves 256 samples in a draw, unless the cloud is a small part of a depth image.
 double leastShare(const Params& params);
 
-/// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit.
+/// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit, with the same kernel (detect --kernels).
 /// One detector serves one thread; its buffers are reused from frame to frame.
 class Detector {
  public:

@@ -3,6 +3,7 @@
 // Image, image again, or list; see arrangement.h.
 #include "core/arrangement.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/normals.h"
@@ -11,17 +12,31 @@
 
 namespace primitect {
 
+namespace {
+
+/// Lists come in a few columns or rows, too: into these no window fits.
+bool isNarrow(const Cloud& cloud) {
+  constexpr std::uint32_t kNarrowest = 5;
+  return cloud.organized() && std::min(cloud.width, cloud.height) < kNarrowest;
+}
+
+}  // namespace
+
+const Cloud& Arrangement::asList(const Cloud& cloud) {
+  list_ = cloud;
+  list_.width = static_cast<std::uint32_t>(cloud.size()), list_.height = 1;
+  return list_;
+}
+
 const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
   is_projected_ = false;
+  if (isNarrow(cloud)) return of(asList(cloud), brings_normals);
   if (brings_normals) return cloud;
   const bool sparse = cloud.organized() && isSparse(cloud);
   if (cloud.organized() && !sparse) return cloud;
   is_projected_ = projected_.make(cloud) && projected_.image().valid_count >= kFewestPoints;
   if (is_projected_) return projected_.image();
-  if (!sparse) return cloud;
-  list_ = cloud;
-  list_.width = static_cast<std::uint32_t>(cloud.size()), list_.height = 1;
-  return list_;
+  return sparse ? asList(cloud) : cloud;
 }
 
 bool mayBeOfDepthCamera(const Cloud& cloud) {

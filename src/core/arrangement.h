@@ -12,7 +12,7 @@ namespace primitect {
 class Arrangement {
  public:
   /// The cloud to work on, until the next call: what a filter made of a depth camera's image gets its image back; rows
-  /// far apart, as of a laser scanner, are no image, and their points are taken as they are. What brings normals of its
+  /// far apart, as of a laser scanner, or fewer than five of them, are no image, and their points are taken as they are. What brings normals of its
   /// own stays what it is.
   const Cloud& of(const Cloud& cloud, bool brings_normals);
 
@@ -20,6 +20,8 @@ class Arrangement {
   const ProjectedImage* projected() const { return is_projected_ ? &projected_ : nullptr; }
 
  private:
+  const Cloud& asList(const Cloud& cloud);
+
   ProjectedImage projected_;
   Cloud list_;
   bool is_projected_ = false;

@@ -39,7 +39,7 @@ Json extentJson(const Detection& detection) {
 }
 
 Json truncatedJson(std::uint8_t truncated) {
-  if (truncated & kTruncationUnknown) return nullptr;
+  if (truncated == kTruncationUnknown) return nullptr;  // else only depth is told
   Json json = Json::array();
   if (truncated & kTruncatedByImage) json.push_back("image");
   if (truncated & kTruncatedByDepth) json.push_back("depth");

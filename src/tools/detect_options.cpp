@@ -30,7 +30,8 @@ constexpr const char* kFooter =
     "from points to primitives, \"read\" apart from it; with --repeat the times are medians.\n"
     "With --max_latency all runs of a call count as frames in a row, each bound to that \"total\": results then depend "
     "on\n"
-    "the machine, \"samples\" tells how many were used. Without it the same points give the same result everywhere.\n"
+    "the machine, \"samples\" tells how many were used. Without it the same points give the same result, on other\n"
+    "processors but for rounding.\n"
     "Exit code: 0 all files were read (also when nothing was found), 1 a file could not be read or written (one line "
     "each\n"
     "on stderr), 2 the command line or a parameter is wrong.";

@@ -62,6 +62,7 @@ TEST(PartOfAnImage, HasNoMoreSamplesThanItsWindowsTellApart) {
   expectOnlyBall(scene.ball, found);
   EXPECT_GT(alone.valid_count, 1500u);
   EXPECT_LT(found.samples, alone.valid_count / 10);
+  ASSERT_FALSE(found.items.empty());
   EXPECT_GT(found.items[0].inlier_count, 0.9 * alone.valid_count) << "the measures are taken from all";
 }
 
@@ -87,6 +88,37 @@ TEST(PartOfAnImage, KeepsTheScaleThatItIsGiven) {
   params.scene_diameter = 0.6;
   Detector detector(params);
   EXPECT_EQ(detector.detect(ballAlone(BallAndWall(), 13, true)).scene_diameter, 0.6);
+}
+
+TEST(ListOfPoints, MayComeInOneColumnOrTwoRows) {
+  BallAndWall scene;
+  scene.ball.radius = 0.15;
+  const Cloud image = scene.image(42);
+  for (const std::uint32_t rows : {1u, 2u, static_cast<std::uint32_t>(image.size())}) {
+    Cloud list = image;
+    list.width = static_cast<std::uint32_t>(image.size()) / rows, list.height = rows;
+    Detector detector{Params()};
+    int balls = 0;
+    for (const Detection& item : detector.detect(list).items) balls += kindOf(item.shape) == Kind::sphere ? 1 : 0;
+    EXPECT_EQ(balls, 1) << rows << " rows";
+  }
+}
+
+TEST(ImageOfFarThings, HasTheNoiseThatIsMeasured) {
+  // What a depth camera's noise grows to at 24 m, 1 m, would make one plane of ball and wall.
+  constexpr float kTimes = 20.0f;
+  BallAndWall scene;
+  Cloud image = scene.image(41);
+  for (std::vector<float>* values : {&image.x, &image.y, &image.z}) {
+    for (float& value : *values) value *= kTimes;
+  }
+  Detector detector{Params()};
+  int balls = 0;
+  for (const Detection& item : detector.detect(image).items) {
+    const Sphere* sphere = std::get_if<Sphere>(&item.shape);
+    balls += sphere && std::abs(sphere->radius - kTimes * scene.ball.radius) < 0.1 ? 1 : 0;
+  }
+  EXPECT_EQ(balls, 1);
 }
 
 TEST(CoarseImage, ShowsWhatAFineOneShows) {

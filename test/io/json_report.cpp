@@ -101,6 +101,15 @@ TEST(JsonReport, FillsKnownFields) {
   EXPECT_EQ(json["extent"]["hull"][1], Json({1.0, 0.0, 1.0}));
 }
 
+TEST(JsonReport, TellsTheDepthCutOfACloudThatIsNoImage) {
+  FileReport report = fourKinds();
+  report.detections.items[0].truncated = kTruncationUnknown;
+  report.detections.items[1].truncated = kTruncationUnknown | kTruncatedByDepth;
+  const Json json = Json::parse(reportJson(report))["primitives"];
+  EXPECT_TRUE(json[0]["truncated"].is_null());
+  EXPECT_EQ(json[1]["truncated"], Json::array({"depth"}));
+}
+
 TEST(JsonReport, SaysWhatIsSeenFromInside) {
   FileReport report = fourKinds();
   report.detections.items[1].concave = true;
