@@ -11,6 +11,7 @@
 #include "core/far_sides.h"
 #include "core/flat.h"
 #include "core/point_noise.h"
+#include "core/ray_depth.h"
 #include "core/seen_points.h"
 
 namespace primitect {
@@ -169,18 +170,30 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
 }  // namespace
 
 ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-                         const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise)
+                         const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise,
+                         const DepthRange& cut)
     : cloud_(cloud),
       normals_(normals),
       detections_(detections),
       labels_(labels),
       noise_(noise),
+      cut_(cut),
       has_far_side_(std::move(has_far_side)) {
   if (inImage()) return;
   for (const Detection& detection : detections) {
     shapes_.push_back(flattened(detection.shape, Vec3::Zero()));
     parts_.emplace_back(detection.shape, detection.extent);
   }
+}
+
+bool ClearPoints::endsBeside(const Shape& shape, std::uint32_t point) const {
+  constexpr double kReach = 3.0;  // standard deviations
+  const Vec3 here(cloud_.x[point], cloud_.y[point], cloud_.z[point]);
+  const double reach = kReach * noise_.at(here);
+  if (!cut_.endsWithin(2.0 * reach, here.z())) return false;
+  // By where its ray meets the surface: noise moves points, and what is below them, but no rays.
+  const auto meets = [&](const auto& one) { return depthOn(opened(one), here / here.z(), here.z()); };
+  return cut_.endsWithin(reach, std::visit(meets, shape).value_or(here.z()));
 }
 
 List<std::uint32_t> ClearPoints::surrounded(std::uint32_t label, const List<std::uint32_t>& points) const {
@@ -193,7 +206,7 @@ List<std::uint32_t> ClearPoints::surrounded(std::uint32_t label, const List<std:
   List<std::uint32_t> result;
   result.reserve(points.size());
   for (const std::uint32_t i : points) {
-    if (ring.meetsOther(label, cloud_, labels_.data(), i)) continue;
+    if (ring.meetsOther(label, cloud_, labels_.data(), i) || endsBeside(detections_[label - 1].shape, i)) continue;
     if (!any_far || !wide.meets(label | kFarSide, cloud_, labels_.data(), i)) result.push_back(i);
   }
   return result;

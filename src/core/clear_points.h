@@ -27,19 +27,22 @@ struct CloudNormals {
 class ClearPoints {
  public:
   /// All must stay; `labels` are those of the detections, as markFarSides() (far_sides.h) leaves them, `has_far_side`
-  /// what it says of each detection; empty: none has one.
+  /// what it says of each detection; empty: none has one. cut: points at other depths are missing.
   ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-              const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise);
+              const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise,
+              const DepthRange& cut = {});
 
   /// Those of a detection's points (indices in the cloud)
   ///   depth camera         with no other label on a ring of eight pixels of its image, as far away as the noise
-  ///                        reaches, and not on the rim of a wall whose inside is seen, too
+  ///                        reaches, and not on the rim of a wall whose inside is seen, too; nor where the surface is
+  ///                        so near the cut that only points which noise moved away from it are left
   ///   any other cloud      whose place on the surface is far from all other detections, beyond the noise,
   ///                        and whose own normal, if it has one, is about the surface's
   /// all of them where too few would be left.
   List<std::uint32_t> of(std::size_t detection, const List<std::uint32_t>& points) const;
 
  private:
+  bool endsBeside(const Shape& shape, std::uint32_t point) const;
   bool inImage() const { return noise_.ofDepthCamera() && cloud_.organized(); }
   List<std::uint32_t> surrounded(std::uint32_t label, const List<std::uint32_t>& points) const;
   List<std::uint32_t> apart(std::size_t detection, const List<std::uint32_t>& points) const;
@@ -49,6 +52,7 @@ class ClearPoints {
   const std::vector<Detection>& detections_;
   const std::vector<std::uint32_t>& labels_;
   NoiseModel noise_;
+  DepthRange cut_;
   List<bool> has_far_side_;          ///< of each detection; or empty
   List<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
   List<ObservedPart> parts_;         ///< the same

@@ -329,7 +329,8 @@ struct Detector::Workspace {
     keepToTops();
     const Cloud& cloud = thinned.cloud();
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise());
+    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(),
+                            {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)});
     // Pixels of a projected image are not where a camera's were.
     const ImageRays rays =
         arrangement.projected() ? ImageRays() : everySoMany(thinned.step(), raysOf(whole, normal_source));

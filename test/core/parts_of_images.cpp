@@ -104,6 +104,32 @@ TEST(ListOfPoints, MayComeInOneColumnOrTwoRows) {
   }
 }
 
+TEST(PartOfAnImage, IsNotPulledTowardsTheCameraWhereDepthCutsIt) {
+  // Of the surface just beyond the cut only the points are left that noise moved before it.
+  const BallAndWall scene{1, 2.6, {Vec3(0.05, 0.02, 2.0), 0.15}};
+  Params params;
+  params.max_depth = 1.9;
+  constexpr int kImages = 8;
+  double error = 0.0;
+  for (std::uint64_t seed = 1; seed <= kImages; ++seed) {
+    Random random(seed);
+    Cloud cut = scene.image(seed);
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+      const auto times = static_cast<float>(1.0 + 0.0055 * random.gaussian() / cut.z[i]);
+      cut.x[i] *= times, cut.y[i] *= times, cut.z[i] *= times;
+      if (cut.z[i] > params.max_depth) cut.x[i] = cut.y[i] = cut.z[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    cut.countPoints();
+    Detector detector(params);
+    const Detections& found = detector.detect(cut);
+    ASSERT_EQ(found.items.size(), 1u) << seed;
+    const Sphere* sphere = std::get_if<Sphere>(&found.items[0].shape);
+    ASSERT_TRUE(sphere) << seed;
+    error += (sphere->radius - scene.ball.radius) / kImages;
+  }
+  EXPECT_LT(std::abs(error), 0.0035) << "was 0.007";
+}
+
 TEST(ImageOfFarThings, HasTheNoiseThatIsMeasured) {
   // What a depth camera's noise grows to at 24 m, 1 m, would make one plane of ball and wall.
   constexpr float kTimes = 20.0f;
