@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Monotone chain and turning sides; see hull.h.
+#include "core/hull.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace primitect {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+/// Points that a hull has as corners, and few others: those that do not lie within the octagon of the outermost.
+List<Vec2> outermost(const List<Vec2>& points) {
+  constexpr std::size_t kDirections = 8;
+  // As they come around the hull: the octagon is counter-clockwise.
+  const Vec2 directions[kDirections] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  Vec2 corners[kDirections];
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const Vec2& p : points) {
+      const double far = directions[k].dot(p);
+      if (far > farthest) farthest = far, corners[k] = p;
+    }
+  }
+  List<std::pair<Vec2, Vec2>> sides;
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    const Vec2& next = corners[(k + 1) % kDirections];
+    if (next != corners[k]) sides.emplace_back(corners[k], next);
+  }
+  List<Vec2> outer;
+  for (const Vec2& p : points) {
+    const auto behind = [&p](const auto& side) { return !(cross(side.first, side.second, p) > 0.0); };
+    if (std::any_of(sides.begin(), sides.end(), behind)) outer.push_back(p);
+  }
+  return outer;
+}
+
+}  // namespace
+
+List<Vec2> convexHull(const List<Vec2>& all, double flat) {
+  List<Vec2> points = outermost(all);
+  if (points.size() < 3) return points;
+  std::sort(points.begin(), points.end(),
+            [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  List<Vec2> hull;
+  const auto standsOut = [flat](const Vec2& a, const Vec2& b, const Vec2& c) {
+    return cross(a, b, c) > flat * (c - a).norm();
+  };
+  const auto addChain = [&](auto begin, auto end) {
+    const std::size_t start = hull.size();
+    for (auto p = begin; p != end; ++p) {
+      while (hull.size() >= start + 2 && !standsOut(hull[hull.size() - 2], hull.back(), *p)) hull.pop_back();
+      hull.push_back(*p);
+    }
+    hull.pop_back();
+  };
+  addChain(points.begin(), points.end());
+  addChain(points.rbegin(), points.rend());
+  return hull;
+}
+
+Rectangle rectangleAlong(const Vec2& x, const List<Vec2>& points) {
+  Eigen::Matrix2d axes;
+  axes << x, Vec2(-x.y(), x.x());
+  Vec2 low = axes.transpose() * points.front(), high = low;
+  for (const Vec2& point : points) {
+    const Vec2 there = axes.transpose() * point;
+    low = low.cwiseMin(there);
+    high = high.cwiseMax(there);
+  }
+  return {x, axes * (0.5 * (low + high)), high - low};
+}
+
+Rectangle smallestRectangle(const List<Vec2>& corners) {
+  Rectangle smallest = rectangleAlong(Vec2::UnitX(), corners);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+    if (!(side.norm() > 0.0)) continue;
+    const Rectangle along = rectangleAlong(side.normalized(), corners);
+    if (along.size.prod() < smallest.size.prod()) smallest = along;
+  }
+  if (smallest.size.x() >= smallest.size.y()) return smallest;
+  return {{-smallest.x.y(), smallest.x.x()}, smallest.middle, {smallest.size.y(), smallest.size.x()}};
+}
+
+}  // namespace primitect
