@@ -40,8 +40,8 @@ struct Effort {
 /// The least share of the effort: it leaves 256 samples in a draw, unless the cloud is a small part of a depth image.
 double leastShare(const Params& params);
 
-/// Finds planes, spheres, cylinders and cones. Same cloud and parameters: same result, bit for bit, with the same kernel (detect --kernels).
-/// One detector serves one thread; its buffers are reused from frame to frame.
+/// Finds planes, spheres, cylinders and cones. Same cloud, parameters and kernel (kernel_choice.h): same result, bit
+/// for bit. One detector serves one thread; its buffers are reused from frame to frame.
 class Detector {
  public:
   /// Throws std::invalid_argument naming parameter, value and range when a parameter is out of its range.

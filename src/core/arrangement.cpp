@@ -11,7 +11,6 @@
 #include "primitect/detector.h"
 
 namespace primitect {
-
 namespace {
 
 /// Lists come in a few columns or rows, too: into these no window fits.

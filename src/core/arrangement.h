@@ -12,8 +12,8 @@ namespace primitect {
 class Arrangement {
  public:
   /// The cloud to work on, until the next call: what a filter made of a depth camera's image gets its image back; rows
-  /// far apart, as of a laser scanner, or fewer than five of them, are no image, and their points are taken as they are. What brings normals of its
-  /// own stays what it is.
+  /// far apart, as of a laser scanner, or fewer than five of them, are no image, and their points are taken as they
+  /// are. What brings normals of its own stays an image or a list.
   const Cloud& of(const Cloud& cloud, bool brings_normals);
 
   /// The image that the cloud was; null where it is worked on as anything else.

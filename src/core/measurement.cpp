@@ -17,13 +17,10 @@
 #include "core/strip.h"
 
 namespace primitect {
-namespace {
 
 DepthRange rangeOf(const Params& params) {
   return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
 }
-
-}  // namespace
 
 Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
                          const Limits& limits)

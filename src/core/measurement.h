@@ -17,6 +17,9 @@
 
 namespace primitect {
 
+/// Points at other depths are missing.
+DepthRange rangeOf(const Params& params);
+
 /// Of one frame.
 class Measurement {
  public:

@@ -92,7 +92,8 @@ struct Detector::Workspace {
     result.status = statusOf(cloud);
     depth_camera = false;
     if (result.status != Status::ok) return cloud;
-    const Cloud& seen = arrangement.of(cloud, bringsNormals(cloud));
+    brings_normals = bringsNormals(cloud);
+    const Cloud& seen = arrangement.of(cloud, brings_normals);
     labeling.begin(seen);
     depth_camera = params.verify && params.inlier_depth_share > 0.0 && mayBeOfDepthCamera(seen);
     voting.setReferences(atThisEffort(params.references));
@@ -141,7 +142,7 @@ struct Detector::Workspace {
   /// more, another sample tells nothing new. 0 where normals are not from windows.
   double pixelsOfSample(const Cloud& cloud) {
     constexpr double kOfUsualWindow = 24.0;
-    if (!depth_camera || bringsNormals(cloud)) return 0.0;
+    if (!depth_camera || brings_normals) return 0.0;
     const double share = shareOfUsualWindows(raysOf(cloud, normal_source));
     return kOfUsualWindow * share * share;
   }
@@ -329,8 +330,7 @@ struct Detector::Workspace {
     keepToTops();
     const Cloud& cloud = thinned.cloud();
     const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(),
-                            {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)});
+    const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(), rangeOf(params));
     // Pixels of a projected image are not where a camera's were.
     const ImageRays rays =
         arrangement.projected() ? ImageRays() : everySoMany(thinned.step(), raysOf(whole, normal_source));
@@ -375,15 +375,14 @@ struct Detector::Workspace {
   /// many are found, and .3, 1.1 and 2.5 % more of that is right.
   std::size_t fewestPoints(Kind kind, const Cloud& cloud) {
     constexpr double kOfCurved = 2.0 / 3.0;
-    const bool in_image = cloud.organized() && depth_camera && !arrangement.projected();
+    const bool curved = kind != Kind::plane, in_image = depth_camera && !arrangement.projected();
     // Of the points that as many samples stand for on average.
-    const double least_share = kind != Kind::plane ? 0.05 : in_image ? 0.3 : 0.15;
+    const double least_share = curved ? 0.05 : in_image ? 0.3 : 0.15;
     // Without the closer look each of the few samples stands for no more than it would with it.
     const std::size_t drawn =
         out_of_time ? atThisEffort(params.rounds * params.samples + params.closer_samples) : result.samples;
     const double each = static_cast<double>(result.points_used) / static_cast<double>(std::max<std::size_t>(drawn, 1));
-    const double least_pixels =
-        cloud.organized() ? (kind != Kind::plane ? kOfCurved : 1.0) * pixelsOfSample(cloud) : 0.0;
+    const double least_pixels = (curved ? kOfCurved : 1.0) * pixelsOfSample(cloud);
     // As many as inliers were looked at; each of these stands for some of a large cloud.
     return static_cast<std::size_t>(inliersAtThisEffort() *
                                     std::max({thinned.each(), least_share * each, least_pixels}));
@@ -404,6 +403,7 @@ struct Detector::Workspace {
   std::function<void(const char*)> stage_done;
   const Effort* effort = nullptr;  ///< only while a frame runs
   bool out_of_time = false;        ///< in this frame
+  bool brings_normals = false;     ///< the cloud of this frame, ones that are wanted
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
   Arrangement arrangement;
   PairVoting voting;
