@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where no cloud comes the log says why: a topic of another type, one that nobody publishes, a publisher that is quiet."""
+"""Where no cloud comes the log says why: a topic of another type, nobody who publishes it, or a publisher that is
+quiet."""
 import sys
 import unittest
 
@@ -20,7 +21,8 @@ class Silence(unittest.TestCase):
         cls.image = rospy.Publisher("/image", Image, queue_size=1, latch=True)
         cls.image.publish(Image())
         cls.quiet = rospy.Publisher("/quiet", PointCloud2, queue_size=1)
-        cls.outputs = [Collector(name + "/primitives", PrimitiveArray) for name in ("/on_image", "/on_nothing", "/on_quiet")]
+        cls.outputs = [Collector(name + "/primitives", PrimitiveArray)
+                       for name in ("/on_image", "/on_nothing", "/on_quiet")]
 
     def why(self, node, topic):
         """What the log says of the silence, from the topic's name on; None where it says nothing."""
@@ -36,7 +38,8 @@ class Silence(unittest.TestCase):
                          "it is a sensor_msgs/Image, not a sensor_msgs/PointCloud2 (depth_image.launch takes depth:=TOPIC)")
 
     def test_a_topic_that_nobody_publishes(self):
-        self.assertEqual(self.why("/on_nothing", "/misspelt"), "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)")
+        self.assertEqual(self.why("/on_nothing", "/misspelt"),
+                         "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)")
 
     def test_a_publisher_that_never_publishes(self):
         self.assertEqual(self.why("/on_quiet", "/quiet"),
