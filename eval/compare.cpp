@@ -135,6 +135,7 @@ void declareOptions(CLI::App& app, Options& options) {
   app.add_option("--uneven", options.recipe.uneven,
                  "from one side of the cloud to the other this many times fewer points");
   app.add_flag("--shuffle", options.recipe.shuffle, "points in random order, unorganized");
+  app.add_flag("--robot-frame", options.recipe.robot_frame, "points in a frame on the floor below the sensor, z up");
   app.add_option("--method", options.methods,
                  "truth, default, paper, its ablations b to e, a peer (see --about) or "
                  "NAME=preset:PRESET,parameter=value,...; repeatable")

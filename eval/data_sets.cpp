@@ -12,6 +12,7 @@
 #include "synthetic/mechanical_part.h"
 #include "synthetic/paper_dataset.h"
 #include "synthetic/small_scene.h"
+#include "synthetic/world.h"
 
 namespace primitect::eval {
 namespace {
@@ -89,6 +90,13 @@ LabelledCloud mechanicalPart(const Recipe& recipe) {
   return result;
 }
 
+void moveToRobotFrame(LabelledCloud& result) {
+  const Eigen::Isometry3d robot_from_sensor = robotFromSensor();
+  result.cloud.move(robot_from_sensor, DepthRange());
+  result.scored.move(robot_from_sensor, DepthRange());
+  for (TrueShape& truth : result.truth) truth.shape = synthetic::transformed(robot_from_sensor, truth.shape);
+}
+
 LabelledCloud withoutVariants(const Recipe& recipe) {
   if (recipe.set == "small") return smallScene(recipe);
   if (recipe.set == "tabletop" || recipe.set == "clutter") return tabletopFrame(recipe);
@@ -142,6 +150,7 @@ LabelledCloud makeLabelledCloud(const Recipe& recipe) {
     if (result.from_sensor) excuseThinned(result);
   }
   if (recipe.shuffle) shufflePoints(result.cloud, recipe.seed);
+  if (recipe.robot_frame) moveToRobotFrame(result);
   return result;
 }
 

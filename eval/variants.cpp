@@ -71,4 +71,14 @@ void shufflePoints(Cloud& cloud, std::uint64_t seed) {
   keepOnly(order, cloud);
 }
 
+Eigen::Isometry3d robotFromSensor() {
+  constexpr double kHeight = 1.3, kDown = 38.0 * 3.141592653589793 / 180.0;  // m, rad
+  const Eigen::Vector3d right = -Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d ahead(std::cos(kDown), 0.0, -std::sin(kDown));
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() << right, ahead.cross(right), ahead;
+  result.translation().z() = kHeight;
+  return result;
+}
+
 }  // namespace primitect::eval

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The same scene with fewer points, unevenly many, or in another order.
+// The same scene with fewer points, unevenly many, in another order, or in another frame.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 
 #include "primitect/cloud.h"
@@ -16,5 +17,8 @@ void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed);
 
 /// Points in random order, without the missing ones and without rows.
 void shufflePoints(Cloud& cloud, std::uint64_t seed);
+
+/// Where the sensor's optical frame is in that of Recipe::robot_frame.
+Eigen::Isometry3d robotFromSensor();
 
 }  // namespace primitect::eval

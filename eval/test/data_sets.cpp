@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "eval/case_score.h"
+#include "eval/cloud_vectors.h"
 #include "eval/methods.h"
 #include "eval/tabletop_frames.h"
 
@@ -166,6 +167,30 @@ TEST(Recipe, ShuffledHoldsTheSamePointsInAnotherOrder) {
     std::sort(after.begin(), after.end());
     EXPECT_EQ(before, after) << set;
   }
+}
+
+TEST(Recipe, InARobotsFrameTheTruthMovesWithThePoints) {
+  Recipe recipe = recipeOf("tabletop");
+  const LabelledCloud camera = makeLabelledCloud(recipe);
+  recipe.robot_frame = true;
+  const LabelledCloud robot = makeLabelledCloud(recipe);
+  EXPECT_EQ(robot.surface, camera.surface);
+  ASSERT_EQ(robot.truth.size(), camera.truth.size());
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < robot.surface.size(); ++i) {
+    const int t = robot.surface[i];
+    if (t < 0) continue;
+    ++points;
+    const Vec3 point = pointAt(robot.scored, i), seen = pointAt(camera.scored, i);
+    ASSERT_LT(distance(robot.truth[t].shape, point), distance(camera.truth[t].shape, seen) + 1e-5) << i;
+    const Vec3 normal = normalAt(robot.scored, i);
+    ASSERT_NEAR(normal.dot(normalAt(robot.truth[t].shape, point)), 1.0, 1e-3) << i;
+    // The camera looks 38 deg down from 1.3 m.
+    ASSERT_NEAR(point.z(), 1.3 - std::sin(38.0 * M_PI / 180) * seen.z() - std::cos(38.0 * M_PI / 180) * seen.y(), 1e-5);
+    ASSERT_NEAR(point.y(), -seen.x(), 1e-5);
+  }
+  EXPECT_GT(points, 100000u);
+  EXPECT_EQ(describe(recipe), "noise x 1, in a robot's frame");
 }
 
 TEST(Recipe, ShuffledScoresTheSameTruthAlike) {

@@ -3,6 +3,7 @@
 // The cloud as every stage reads it: structure of arrays, converted once from a message or a file.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +69,9 @@ struct Cloud {
 
   /// Points [begin, end) were written to x, y and z as they came: those that setPoint() would make missing become so.
   void checkPoints(std::size_t begin, std::size_t end, const DepthRange& range);
+
+  /// Into another frame. Points that setPoint() would make missing there become so.
+  void move(const Eigen::Isometry3d& target_from_source, const DepthRange& range);
 
   /// Stores a normal, scaled to unit length; one that is not finite or shorter than 1e-6 becomes missing.
   void setNormal(std::size_t i, float px, float py, float pz);

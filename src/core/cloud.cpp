@@ -41,6 +41,22 @@ void Cloud::checkPoints(std::size_t begin, std::size_t end, const DepthRange& ra
   behind_count += measured.behind;
 }
 
+void Cloud::move(const Eigen::Isometry3d& target_from_source, const DepthRange& range) {
+  const Eigen::Matrix3f turn = target_from_source.linear().cast<float>();
+  const Eigen::Vector3f shift = target_from_source.translation().cast<float>();
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Eigen::Vector3f point = turn * Eigen::Vector3f(x[i], y[i], z[i]) + shift;
+    x[i] = point.x(), y[i] = point.y(), z[i] = point.z();
+  }
+  valid_count = behind_count = 0;
+  checkPoints(0, size(), range);
+  if (!hasNormals()) return;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Eigen::Vector3f normal = turn * Eigen::Vector3f(nx[i], ny[i], nz[i]);
+    nx[i] = normal.x(), ny[i] = normal.y(), nz[i] = normal.z();
+  }
+}
+
 void Cloud::setNormal(std::size_t i, float px, float py, float pz) {
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
   constexpr float kShortest = 1e-6f;

@@ -53,6 +53,32 @@ TEST(Cloud, ChecksPointsInARowAsOneByOne) {
   }
 }
 
+TEST(Cloud, MovesPointsAndNormalsAndCutsWhereItGets) {
+  Cloud cloud;
+  cloud.reset(4, 1, true);
+  cloud.setPoint(0, 1.0f, 2.0f, 3.0f, {});
+  cloud.setPoint(2, 1.0f, 2.0f, 9.0f, {});
+  cloud.setPoint(3, 0.0f, -6.0f, 0.0f, {});
+  cloud.setNormal(0, 0.0f, 0.0f, 1.0f);
+  // y ahead becomes z ahead, from 5 m farther back.
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  pose.translation().z() = 5.0;
+  cloud.move(pose, {0.0f, 7.0f});
+  EXPECT_EQ(cloud.valid_count, 3u);
+  EXPECT_EQ(cloud.behind_count, 1u);
+  EXPECT_EQ(cloud.x[0], 1.0f);
+  EXPECT_EQ(cloud.y[0], -3.0f);
+  EXPECT_EQ(cloud.z[0], 7.0f);
+  EXPECT_EQ(cloud.ny[0], -1.0f);
+  EXPECT_EQ(cloud.nz[0], 0.0f);
+  EXPECT_FALSE(cloud.valid(1));
+  EXPECT_TRUE(std::isnan(cloud.nx[2]));
+  EXPECT_EQ(cloud.z[3], -1.0f);
+  cloud.move(Eigen::Isometry3d::Identity(), {0.0f, 6.0f});
+  EXPECT_EQ(cloud.valid_count, 1u);
+}
+
 TEST(Cloud, KeepsAllDepthsWhenTheRangeIsOff) {
   Cloud cloud;
   cloud.reset(2, 1, false);
