@@ -151,6 +151,9 @@ struct Detections {
   std::uint32_t points_used = 0;  ///< of these, measured and within the depth range
   std::uint32_t samples = 0;      ///< points that voted
   double scene_diameter = 0.0;    ///< d_s (m), see Params::scene_diameter
+  /// False: the points are not those of a sensor at the origin that looks along z, as is assumed. Then the image cannot
+  /// be used, and normals may be turned to the wrong side. Nothing is known of lists with normals.
+  bool seen_from_origin = true;
   Refusals refusals;
 };
 

@@ -22,20 +22,32 @@ bool isNarrow(const Cloud& cloud) {
 }  // namespace
 
 const Cloud& Arrangement::asList(const Cloud& cloud) {
+  if (!cloud.organized()) return cloud;
   list_ = cloud;
   list_.width = static_cast<std::uint32_t>(cloud.size()), list_.height = 1;
   return list_;
 }
 
+/// The image that it was, or a list.
+const Cloud& Arrangement::withoutImage(const Cloud& cloud) {
+  const Cloud& list = asList(cloud);
+  is_projected_ = projected_.make(list) && projected_.image().valid_count >= kFewestPoints;
+  seen_elsewhere_ = !is_projected_ && (seen_elsewhere_ || projected_.seenElsewhere());
+  return is_projected_ ? projected_.image() : list;
+}
+
 const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
-  is_projected_ = false;
-  if (isNarrow(cloud)) return of(asList(cloud), brings_normals);
-  if (brings_normals) return cloud;
-  const bool sparse = cloud.organized() && isSparse(cloud);
-  if (cloud.organized() && !sparse) return cloud;
-  is_projected_ = projected_.make(cloud) && projected_.image().valid_count >= kFewestPoints;
-  if (is_projected_) return projected_.image();
-  return sparse ? asList(cloud) : cloud;
+  is_projected_ = seen_elsewhere_ = false;
+  rays_.reset();
+  if (cloud.organized() && !isNarrow(cloud)) {
+    const ImageRays rays = findRays(cloud);
+    seen_elsewhere_ = rays.elsewhere;
+    if (!rays.elsewhere && (brings_normals || !isSparse(cloud))) {
+      rays_ = rays;
+      return cloud;
+    }
+  }
+  return brings_normals ? asList(cloud) : withoutImage(cloud);
 }
 
 bool mayBeOfDepthCamera(const Cloud& cloud) {

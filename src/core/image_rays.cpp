@@ -18,12 +18,37 @@ struct Line {
     count += 1.0, x += at, y += value, xx += at * at, xy += at * value, yy += value * value;
   }
   double spread() const { return xx - x * x / count; }
+  /// Of the variance of y; NaN where x or y does not vary.
+  double shareTold() const { return scale() * scale() * spread() / (yy - y * y / count); }
   double scale() const { return (xy - x * y / count) / spread(); }
   double offset() const { return (y - scale() * x) / count; }
   /// Root mean square of what is left, in units of x: pixels.
   double misfit() const {
     const double rest = yy - y * y / count - scale() * scale() * spread();
     return std::sqrt(std::max(rest, 0.0) / count) / std::abs(scale());
+  }
+};
+
+/// What column and row tell of x/z and y/z; crossed: row and column.
+struct Lines {
+  Line of_x, of_y;
+
+  Lines(const Cloud& cloud, std::size_t step, bool crossed) {
+    for (std::size_t i = 0; i < cloud.size(); i += step) {
+      if (!cloud.valid(i) || !(cloud.z[i] > 0.0f)) continue;
+      const auto column = static_cast<double>(i % cloud.width), row = static_cast<double>(i / cloud.width);
+      of_x.add(crossed ? row : column, static_cast<double>(cloud.x[i]) / cloud.z[i]);
+      of_y.add(crossed ? column : row, static_cast<double>(cloud.y[i]) / cloud.z[i]);
+    }
+  }
+  double misfit() const { return std::max(of_x.misfit(), of_y.misfit()); }
+  bool fit() const {
+    constexpr double kLargestMisfit = 1.0 / 3.0;
+    return of_x.misfit() < kLargestMisfit && of_y.misfit() < kLargestMisfit;
+  }
+  bool tellNearlyAll() const {
+    constexpr double kLeast = 0.95;
+    return !(of_x.shareTold() < kLeast || of_y.shareTold() < kLeast);
   }
 };
 
@@ -80,20 +105,17 @@ ImageRays findRays(const Cloud& cloud) {
   if (!cloud.organized() || cloud.valid_count == 0) return rays;
   // More pixels would tell no more, and each is a miss of the cache.
   constexpr std::uint32_t kEnough = 512;
-  constexpr double kFewest = 10.0, kLargestMisfit = 1.0 / 3.0;
-  Line across, down;
+  constexpr double kFewest = 10.0;
   std::size_t step = std::max<std::size_t>(1, cloud.valid_count / kEnough);
   while (std::gcd(step, static_cast<std::size_t>(cloud.width)) > 1) ++step;  // then it visits all columns
-  for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (!cloud.valid(i) || !(cloud.z[i] > 0.0f)) continue;
-    across.add(static_cast<double>(i % cloud.width), static_cast<double>(cloud.x[i]) / cloud.z[i]);
-    down.add(static_cast<double>(i / cloud.width), static_cast<double>(cloud.y[i]) / cloud.z[i]);
-  }
-  if (across.count < kFewest || !(across.misfit() < kLargestMisfit) || !(down.misfit() < kLargestMisfit)) return rays;
-  rays.known = true;
-  rays.misfit = std::max(across.misfit(), down.misfit());
-  rays.x_offset = across.offset(), rays.x_scale = across.scale();
-  rays.y_offset = down.offset(), rays.y_scale = down.scale();
+  const Lines lines(cloud, step, false);
+  if (lines.of_x.count < kFewest) return rays;
+  rays.known = lines.fit();
+  rays.elsewhere = !rays.known && !lines.tellNearlyAll() && !Lines(cloud, step, true).fit();
+  if (!rays.known) return rays;
+  rays.misfit = lines.misfit();
+  rays.x_offset = lines.of_x.offset(), rays.x_scale = lines.of_x.scale();
+  rays.y_offset = lines.of_y.offset(), rays.y_scale = lines.of_y.scale();
   findBorder(cloud, rays);
   return rays;
 }

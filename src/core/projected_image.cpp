@@ -110,7 +110,8 @@ bool isSparse(const Cloud& image) {
 
 /// Returns how many points lie in a pixel with one of another surface.
 std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, float pitch) {
-  constexpr float kOtherSurface = 0.1f;  // of the depth
+  // A pixel of a surface at a steep angle is as deep as five of them are wide.
+  const float other_surface = 0.01f + 5.0f * pitch;  // of the depth
   // Times the depth: of two points this near each other the first one stays. The nearer one would be the one that noise
   // moved towards the sensor.
   constexpr float kSameSurface = 1.02f;
@@ -124,7 +125,7 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
     const std::uint32_t pixel = static_cast<std::uint32_t>(row) * image_.width + static_cast<std::uint32_t>(column);
     pixel_[i] = pixel;
     const float there = image_.z[pixel];
-    if (std::fabs(there - cloud.z[i]) > kOtherSurface * cloud.z[i]) ++hidden;
+    if (std::fabs(there - cloud.z[i]) > other_surface * cloud.z[i]) ++hidden;
     if (there <= kSameSurface * cloud.z[i]) continue;  // NaN, an empty pixel, does not hold
     if (!image_.valid(pixel)) ++image_.valid_count;
     image_.x[pixel] = cloud.x[i], image_.y[pixel] = cloud.y[i], image_.z[pixel] = cloud.z[i];
@@ -133,9 +134,12 @@ std::size_t ProjectedImage::project(const Cloud& cloud, float left, float top, f
 }
 
 bool ProjectedImage::make(const Cloud& cloud) {
-  constexpr double kMostHidden = 0.05;             // of the points
+  // Of the points. Of 15 depth cameras, also thinned out to a thirtieth or in voxels of 2 cm, up to 0.026, without that
+  // 0.006; of their clouds in frames on the floor below, tables above the origin, 0.057 and more.
+  constexpr double kMostHidden = 0.03;
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
   constexpr int kTimes = 5;
+  seen_elsewhere_ = false;
   if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
   View view = viewOf(cloud);
   if (static_cast<double>(view.points) < (1.0 - kAside) * cloud.valid_count) return false;
@@ -153,7 +157,10 @@ bool ProjectedImage::make(const Cloud& cloud) {
     const std::size_t hidden = project(cloud, view.left, view.top, pitch);
     const double held = image_.valid_count;
     // Rows far apart, as of a laser scanner, leave the windows of such an image empty.
-    if (held >= kLeastKept * rays) return static_cast<double>(hidden) <= kMostHidden * points && !isSparse(image_);
+    if (held >= kLeastKept * rays) {
+      seen_elsewhere_ = static_cast<double>(hidden) > kMostHidden * points;
+      return !seen_elsewhere_ && !isSparse(image_);
+    }
     if (held < kMore * before) {
       // Finer pixels part no more points: those that are left share their rays.
       rays = held, before = 0.0, pixel_size = width * height / rays;

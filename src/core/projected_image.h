@@ -26,9 +26,12 @@ class ProjectedImage {
   /// Pixels as large as the points are apart, smaller where much of the view is empty; points that share their rays,
   /// like those of several frames, count once. Of two points in a pixel the image holds the nearer one, or of one
   /// surface the first. False when the cloud is an image that is not sparse, when more than a few points lie beside or
-  /// behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when many
-  /// pixels hold points of very different depth: then it was not seen from the origin.
+  /// behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when it was
+  /// seen from elsewhere.
   bool make(const Cloud& cloud);
+
+  /// Of the last make(): more points hide each other than a sensor at the origin would have seen.
+  bool seenElsewhere() const { return seen_elsewhere_; }
 
   const Cloud& image() const { return image_; }
   /// Of each point of the cloud.
@@ -42,6 +45,7 @@ class ProjectedImage {
 
   Cloud image_;
   List<std::uint32_t> pixel_;
+  bool seen_elsewhere_ = false;
 };
 
 }  // namespace primitect

@@ -94,6 +94,8 @@ struct Detector::Workspace {
     if (result.status != Status::ok) return cloud;
     brings_normals = bringsNormals(cloud);
     const Cloud& seen = arrangement.of(cloud, brings_normals);
+    normal_source.rays = arrangement.rays();
+    result.seen_from_origin = arrangement.seenFromOrigin();
     labeling.begin(seen);
     depth_camera = params.verify && params.inlier_depth_share > 0.0 && mayBeOfDepthCamera(seen);
     voting.setReferences(atThisEffort(params.references));

@@ -123,14 +123,19 @@ std::string emptyText(const io::FileReport& report, const Cloud& whole, const De
 }
 
 /// Clouds of robots and maps have their table or floor through the origin.
-std::string behindText(const Cloud& whole) {
+std::string otherFrameText(const Cloud& whole, const Detections& found) {
   constexpr double kStrays = 0.01;
   const double share = whole.behind_count / std::max<double>(1.0, whole.valid_count);
-  if (!(share > kStrays)) return "";
-  return format(
-      "  note: %.0f %% of the points lie behind the sensor (z <= 0), which is taken to be at the origin and to look "
-      "along z; is the cloud in the frame of the camera?\n",
-      100.0 * share);
+  std::string what;
+  if (share > kStrays) {
+    what = format("%.0f %% of the points lie behind the sensor (z <= 0), which is", 100.0 * share);
+  } else if (!found.seen_from_origin) {
+    what = "the points were not seen from the sensor, which is";
+  } else {
+    return "";
+  }
+  return "  note: " + what +
+         " taken to be at the origin and to look along z; is the cloud in the frame of the camera?\n";
 }
 
 }  // namespace
@@ -144,7 +149,7 @@ std::string resultText(const io::FileReport& report, const Cloud& whole, const D
                      format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
                             effortText(report).c_str(), found.scene_diameter);
   if (found.scene_diameter > kMillimetres) text += "  note: lengths are taken for metres; are they millimetres?\n";
-  text += behindText(whole);
+  text += otherFrameText(whole, found);
   if (found.items.empty()) {
     text += "  nothing found: " + emptyText(report, whole, range) + "\n";
   } else {

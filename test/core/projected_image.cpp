@@ -68,6 +68,17 @@ TEST(ProjectedImage, KeepsTheFirstOfASurfaceAndTheNearerOfTwoSurfaces) {
   EXPECT_EQ(projected.image().z[projected.pixel()[nearer]], cloud.z[nearer]);
 }
 
+TEST(ProjectedImage, IsNoneWhereATableHidesWhatStandsOnIt) {
+  // Of a camera's points one in a hundred lies behind another, at edges that a pixel is across; never one in ten.
+  for (const bool hidden : {false, true}) {
+    std::vector<Vec3> points = square(60, 0.6, 1.0);
+    for (int k = 0; k < 3600; k += hidden ? 20 : 100) points.push_back(1.1 * points[static_cast<std::size_t>(k)]);
+    ProjectedImage projected;
+    EXPECT_EQ(projected.make(cloudOf(points)), !hidden);
+    EXPECT_EQ(projected.seenElsewhere(), hidden);
+  }
+}
+
 TEST(ProjectedImage, IsAsFineAsThePointsAlsoWhereAFewLieFarAside) {
   std::vector<Vec3> points = square(60, 0.3, 1.0);
   points.emplace_back(-1.0, -1.0, 1.0);

@@ -112,6 +112,11 @@ TEST_F(DetectProgram, AsksWhereUnitsOrFrameCannotBeRight) {
   EXPECT_NE(out.find("note: lengths are taken for metres; are they millimetres?"), std::string::npos) << out;
   EXPECT_EQ(run(write("table.ply", header + around_origin)), 0);
   EXPECT_NE(out.find("note: 12 % of the points lie behind the sensor (z <= 0)"), std::string::npos) << out;
+  std::string hidden = metres;
+  for (int i = 0; i < 400; i += 2) hidden += pointLine(0.075 * (i % 20), 0.075 * (i / 20), 1.5);
+  header.replace(header.find("400"), 3, "600");
+  EXPECT_EQ(run(write("through.ply", header + hidden)), 0);
+  EXPECT_NE(out.find("note: the points were not seen from the sensor"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, DoesNotBlameTheDepthRangeForWhatItDidNotCut) {

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which clouds are worked on as images: those that a camera at the origin saw.
+#include "core/arrangement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/random.h"
+#include "primitect/detector.h"
+#include "test/support/ball_and_wall.h"
+
+namespace primitect {
+namespace {
+
+const test::BallAndWall kScene;
+
+/// A robot's frame: x ahead, y to the left, z up, the camera this high above the origin (m) and turned down (rad).
+Eigen::Isometry3d robotFromCamera(double height, double down) {
+  const Vec3 right = -Vec3::UnitY(), ahead(std::cos(down), 0.0, -std::sin(down));
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() << right, ahead.cross(right), ahead;
+  result.translation().z() = height;
+  return result;
+}
+
+/// All points are above the origin, and hide each other when looked at from there.
+Cloud inFrameOfRobot(Cloud cloud) {
+  cloud.move(robotFromCamera(2.0, 0.7), DepthRange());
+  EXPECT_EQ(cloud.behind_count, 0u);
+  return cloud;
+}
+
+Cloud shuffledList(Cloud cloud) {
+  Random random(5);
+  for (std::size_t i = cloud.size() - 1; i > 0; --i) {
+    const std::size_t k = random.below(i + 1);
+    for (auto* values : {&cloud.x, &cloud.y, &cloud.z}) std::swap((*values)[i], (*values)[k]);
+  }
+  cloud.width *= cloud.height, cloud.height = 1;
+  return cloud;
+}
+
+/// Column and row changed places, as in an image turned by a quarter and mirrored.
+Cloud transposed(const Cloud& image) {
+  Cloud result;
+  result.reset(image.height, image.width, false);
+  for (std::uint32_t row = 0; row < image.height; ++row) {
+    for (std::uint32_t column = 0; column < image.width; ++column) {
+      const std::size_t from = row * image.width + column;
+      result.setPoint(column * image.height + row, image.x[from], image.y[from], image.z[from], {});
+    }
+  }
+  return result;
+}
+
+/// As through a wide lens without correction: the pixel at the corner sees a fifth less far aside.
+Cloud distorted(const Cloud& image) {
+  Cloud result = image;
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const double u = image.x[i] / image.z[i], v = image.y[i] / image.z[i];
+    const float factor = static_cast<float>(1.0 - 0.4 * (u * u + v * v));
+    result.x[i] *= factor, result.y[i] *= factor;
+  }
+  return result;
+}
+
+TEST(Arrangement, KeepsImagesOfCamerasAlsoTurnedAndThroughPoorLenses) {
+  const Cloud image = kScene.image(1);
+  for (const Cloud& cloud : {image, transposed(image), distorted(image)}) {
+    Arrangement arrangement;
+    EXPECT_EQ(&arrangement.of(cloud, false), &cloud);
+    EXPECT_TRUE(arrangement.seenFromOrigin());
+    EXPECT_EQ(arrangement.projected(), nullptr);
+    EXPECT_TRUE(mayBeOfDepthCamera(cloud));
+  }
+}
+
+TEST(Arrangement, TakesAnImageInAnotherFrameAsAList) {
+  const Cloud cloud = inFrameOfRobot(kScene.image(2));
+  ASSERT_TRUE(mayBeOfDepthCamera(cloud)) << "nothing else tells";
+  for (const bool brings_normals : {false, true}) {
+    Arrangement arrangement;
+    const Cloud& seen = arrangement.of(cloud, brings_normals);
+    EXPECT_FALSE(seen.organized());
+    EXPECT_EQ(seen.size(), cloud.size());
+    EXPECT_FALSE(arrangement.seenFromOrigin());
+    EXPECT_FALSE(mayBeOfDepthCamera(seen));
+  }
+}
+
+TEST(Arrangement, MakesNoImageOfAListInAnotherFrame) {
+  const Cloud cloud = shuffledList(inFrameOfRobot(kScene.image(3)));
+  Arrangement arrangement;
+  EXPECT_EQ(&arrangement.of(cloud, false), &cloud);
+  EXPECT_EQ(arrangement.projected(), nullptr);
+  EXPECT_FALSE(arrangement.seenFromOrigin());
+}
+
+TEST(Arrangement, ForgetsWhereTheLastCloudWasSeenFrom) {
+  Arrangement arrangement;
+  arrangement.of(inFrameOfRobot(kScene.image(2)), false);
+  const Cloud list = shuffledList(kScene.image(2));
+  EXPECT_TRUE(arrangement.of(list, false).organized());
+  EXPECT_TRUE(arrangement.seenFromOrigin());
+}
+
+TEST(Arrangement, GivesAListInEightRowsItsImageBack) {
+  Cloud cloud = shuffledList(kScene.image(4));
+  cloud.width /= 8, cloud.height = 8;
+  Arrangement arrangement;
+  const Cloud& seen = arrangement.of(cloud, false);
+  ASSERT_TRUE(arrangement.projected());
+  EXPECT_GT(seen.valid_count, cloud.valid_count / 2);
+  EXPECT_TRUE(arrangement.seenFromOrigin());
+}
+
+TEST(CloudOfARobotsFrame, IsSaidToBeOneAndItsWallIsFoundAllTheSame) {
+  const Cloud image = inFrameOfRobot(kScene.image(5));
+  const Plane wall = {robotFromCamera(2.0, 0.7) * Vec3(0.0, 0.0, kScene.wall),
+                      robotFromCamera(2.0, 0.7).linear() * -Vec3::UnitZ()};
+  Detector detector{Params()};
+  for (const Cloud& cloud : {image, shuffledList(image)}) {
+    const Detections& found = detector.detect(cloud);
+    EXPECT_FALSE(found.seen_from_origin);
+    ASSERT_GE(found.items.size(), 1u);
+    const auto smaller = [](const Detection& a, const Detection& b) { return a.inlier_count < b.inlier_count; };
+    const auto largest = std::max_element(found.items.begin(), found.items.end(), smaller);
+    const Plane* plane = std::get_if<Plane>(&largest->shape);
+    ASSERT_TRUE(plane);
+    EXPECT_LT(distance(wall, largest->extent.origin), 0.001);
+    EXPECT_GT(std::abs(plane->normal.dot(wall.normal)), std::cos(0.005));
+  }
+  EXPECT_TRUE(detector.detect(kScene.image(5)).seen_from_origin);
+}
+
+}  // namespace
+}  // namespace primitect
