@@ -40,8 +40,10 @@ void DetectorDiagnostics::frameReceived() {
   last_frame_ = SteadyClock::now();
 }
 
-void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, const std::string& error) {
+void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, bool seen_from_origin,
+                                    const std::string& error) {
   counters_.count(message, refusals);
+  seen_from_origin_ = seen_from_origin;
   last_error_ = error;
 }
 
@@ -62,6 +64,7 @@ void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, cons
 
 void DetectorDiagnostics::startAnew() {
   counters_ = FrameCounters();
+  seen_from_origin_ = true;
   last_error_.clear();
 }
 
@@ -85,6 +88,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("failed", counters_.failed);
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
+  status.add("seen from the origin", seen_from_origin_ ? "yes" : "no: is sensor_frame set?");
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

@@ -39,7 +39,9 @@ class DetectorDiagnostics {
   DetectorDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
 
   void frameReceived();
-  void frameDone(const PrimitiveArray& message, const Refusals& refusals, const std::string& error);
+  /// error: why the cloud was refused, or empty.
+  void frameDone(const PrimitiveArray& message, const Refusals& refusals, bool seen_from_origin,
+                 const std::string& error);
   void frameFailed(const std::string& error);
 
   /// Publishes now; for a wall timer, as the updater's own clock stalls when time jumps back.
@@ -61,6 +63,7 @@ class DetectorDiagnostics {
 
   FrameCounters counters_;
   std::string last_error_;
+  bool seen_from_origin_ = true;  ///< the last cloud
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs

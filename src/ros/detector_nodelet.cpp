@@ -43,7 +43,7 @@ void DetectorNodelet::start() {
   NODELET_INFO_STREAM(getName() << ": voting kernel '" << kernelInUse() << "', loops '" << loopsInUse() << "'");
   pipeline_ = std::make_unique<FramePipeline>(loaded.params);
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
-  if (!loaded.params.target_frame.empty()) {
+  if (!loaded.params.sensor_frame.empty() || !loaded.params.target_frame.empty()) {
     transforms_ = std::make_unique<tf2_ros::Buffer>();
     transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
   }
@@ -103,19 +103,46 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   startAnewIfTimeWentBack(cloud.header.stamp);
   diagnostics_->frameReceived();
   pipeline_->times().begin();
-  PrimitiveArray& message = pipeline_->process(cloud);
+  PrimitiveArray& message = detect(cloud);
   std::string problem = pipeline_->problem();
   if (!problem.empty() && input_warning_.ready()) {
     NODELET_WARN_STREAM(getName() << " refuses a cloud on " << input_.getTopic() << ": " << problem);
   }
-  const std::string no_transform = toTargetFrame(message);
+  const std::string no_transform = toTargetFrame(cloud.header.frame_id, message);
   if (problem.empty()) problem = no_transform;
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
-  diagnostics_->frameDone(message, pipeline_->refusals(), problem);
-  publish(cloud, message);
+  diagnostics_->frameDone(message, pipeline_->refusals(), pipeline_->seenFromOrigin(), problem);
+  publish(message);
   pipeline_->published();
   warnIfHopeless();
+  warnIfSeenFromElsewhere();
+}
+
+PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
+  const std::string& sensor = pipeline_->params().sensor_frame;
+  const std::string& source = cloud.header.frame_id;
+  sensor_header_ = cloud.header;
+  if (sensor.empty() || sensor == source) return pipeline_->process(cloud);
+  sensor_header_.frame_id = sensor;
+  Eigen::Isometry3d sensor_from_cloud;
+  try {
+    sensor_from_cloud = tf2::transformToEigen(lookupLateTransform(*transforms_, sensor, source, cloud.header.stamp));
+  } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
+    const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
+    return pipeline_->withoutTransform(cloud.header, "no transform " + from_to + ": " + error.what());
+  }
+  PrimitiveArray& message = pipeline_->process(cloud, sensor_from_cloud);
+  message.header.frame_id = sensor;
+  return message;
+}
+
+void DetectorNodelet::warnIfSeenFromElsewhere() {
+  if (pipeline_->seenFromOrigin() || told_elsewhere_) return;
+  told_elsewhere_ = true;
+  NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic()
+                                << " are not seen from the origin of their frame '" << sensor_header_.frame_id
+                                << "' along z: set sensor_frame to the camera's optical frame, or shapes are missed");
 }
 
 void DetectorNodelet::warnIfHopeless() {
@@ -161,16 +188,16 @@ void DetectorNodelet::warnIfSilent() {
   told_silent_ = silent;
 }
 
-void DetectorNodelet::publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message) {
+void DetectorNodelet::publish(const PrimitiveArray& message) {
   if (primitives_.getNumSubscribers() > 0) primitives_.publish(message);
   if (markers_.getNumSubscribers() > 0) {
     marker_style_.alpha = pipeline_->params().marker_alpha;
     marker_style_.lifetime = pipeline_->params().marker_lifetime;
     markers_.publish(marker_writer_.update(message, marker_style_));
   }
-  if (message.status == PrimitiveArray::REJECTED_INPUT) return;  // there is no cloud to show
-  if (labels_.getNumSubscribers() > 0) labels_.publish(pipeline_->labels(cloud.header));
-  if (normals_.getNumSubscribers() > 0) normals_.publish(pipeline_->normals(cloud.header));
+  if (!pipeline_->hasCloud()) return;
+  if (labels_.getNumSubscribers() > 0) labels_.publish(pipeline_->labels(sensor_header_));
+  if (normals_.getNumSubscribers() > 0) normals_.publish(pipeline_->normals(sensor_header_));
 }
 
 void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
@@ -184,25 +211,27 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
   pipeline_->startAnew();
 }
 
-std::string DetectorNodelet::toTargetFrame(PrimitiveArray& message) {
-  const std::string& target = pipeline_->params().target_frame;
+std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message) {
+  const std::string& wanted = pipeline_->params().target_frame;
+  const std::string& target = wanted.empty() ? cloud_frame : wanted;
   const std::string& source = message.header.frame_id;
   Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();
   std::string problem;
   const bool something_to_move = message.status == PrimitiveArray::OK;
-  if (something_to_move && !target.empty() && target != source) {
+  if (something_to_move && target != source) {
     try {
       target_from_source =
           tf2::transformToEigen(lookupLateTransform(*transforms_, target, source, message.header.stamp));
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
-      problem = "no transform from '" + source + "' to target_frame '" + target + "': " + error.what();
+      const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";
+      problem = "no transform from '" + source + "' to " + name + target + "': " + error.what();
       message.primitives.clear();
       message.status = PrimitiveArray::NO_TRANSFORM;
       if (transform_warning_.ready()) NODELET_WARN_STREAM(getName() << ": " << problem);
     }
     transformPrimitives(target_from_source, message);
   }
-  if (!target.empty()) message.header.frame_id = target;
+  message.header.frame_id = target;
   marker_style_.viewpoint = target_from_source.translation();
   marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
   return problem;
@@ -212,7 +241,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   const Lock lock(mutex_);
   try {
     pipeline_->setParams(fromConfig(config, pipeline_->params()));
-    told_hopeless_ = false;
+    told_hopeless_ = told_elsewhere_ = false;
     if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
   } catch (const std::exception& error) {
     NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());

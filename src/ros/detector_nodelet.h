@@ -39,14 +39,19 @@ class DetectorNodelet : public nodelet::Nodelet {
   void onDiagnosticsTimer();
 
   void processCloud(const sensor_msgs::PointCloud2& cloud);
-  void publish(const sensor_msgs::PointCloud2& cloud, const PrimitiveArray& message);
+  /// Primitives in sensor_frame, or none and why that is not possible.
+  PrimitiveArray& detect(const sensor_msgs::PointCloud2& cloud);
+  void publish(const PrimitiveArray& message);
   /// Once, or once more after parameters changed.
   void warnIfHopeless();
+  /// Once, or once more after parameters changed.
+  void warnIfSeenFromElsewhere();
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
-  /// Moves the primitives to target_frame; empty, or why that is not possible.
-  std::string toTargetFrame(PrimitiveArray& message);
+  /// Moves the primitives from the sensor's frame to target_frame or that of the cloud; empty, or why that is not
+  /// possible.
+  std::string toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message);
 
   /// Callbacks are serial, but onInit() runs in another thread than they do.
   boost::recursive_mutex mutex_;
@@ -57,7 +62,9 @@ class DetectorNodelet : public nodelet::Nodelet {
   MarkerWriter marker_writer_;
   MarkerStyle marker_style_;
   ros::Time last_stamp_;
+  std_msgs::Header sensor_header_;  ///< of the last cloud, in the frame where it was searched
   bool told_hopeless_ = false;
+  bool told_elsewhere_ = false;
   bool told_silent_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
 

@@ -18,10 +18,10 @@ std::string depthRangeText(double min_depth, double max_depth) {
   return "between " + metres("min_depth", min_depth) + " and " + metres("max_depth", max_depth);
 }
 
-Detections rejected() {
-  Detections nothing;
-  nothing.status = Status::rejected_input;
-  return nothing;
+Detections nothing(Status why) {
+  Detections result;
+  result.status = why;
+  return result;
 }
 
 }  // namespace
@@ -65,16 +65,28 @@ void FramePipeline::published() {
   if (governor_ && status_ == Status::ok) governor_->endFrame(times_.elapsed());
 }
 
-PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message) {
-  static const Detections kRejected = rejected();
+PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message,
+                                       const std::optional<Eigen::Isometry3d>& sensor_from_cloud) {
+  static const Detections kRejected = nothing(Status::rejected_input);
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
-  problem_ = readCloud(message, range, params().use_cloud_normals, cloud_);
+  problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, params().use_cloud_normals, cloud_);
+  has_cloud_ = problem_.empty();
+  if (sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
-  const Detections& detections = problem_.empty() ? detect() : kRejected;
+  const Detections& detections = has_cloud_ ? detect() : kRejected;
   status_ = detections.status;
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
   return message_writer_.write(detections, message.header);
+}
+
+PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, const std::string& problem) {
+  static const Detections kNoTransform = nothing(Status::no_transform);
+  problem_ = problem;
+  has_cloud_ = false;
+  status_ = kNoTransform.status;
+  refusals_ = {};
+  return message_writer_.write(kNoTransform, header);
 }
 
 std::string FramePipeline::problemOf(const Detections& detections) const {

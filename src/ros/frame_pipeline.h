@@ -30,10 +30,15 @@ class FramePipeline {
   void setParams(const Params& params);
   const Params& params() const { return detector_.params(); }
 
-  /// Reads the cloud and detects. When the status is not OK, problem() says why. processing_time is left 0.
+  /// Reads the cloud, moves it to the sensor where it comes in another frame, and detects: primitives are in the frame
+  /// of the sensor. When the status is not OK, problem() says why. processing_time is left 0.
   /// With max_latency, times().begin() is when the frame came.
   /// The result may be changed; it is valid until the next call.
-  PrimitiveArray& process(const sensor_msgs::PointCloud2& message);
+  PrimitiveArray& process(const sensor_msgs::PointCloud2& message,
+                          const std::optional<Eigen::Isometry3d>& sensor_from_cloud = std::nullopt);
+
+  /// For a cloud whose place is not known: no primitives, status NO_TRANSFORM, and this problem.
+  PrimitiveArray& withoutTransform(const std_msgs::Header& header, const std::string& problem);
 
   /// The frame is done, all of its outputs are published: what it took decides on the effort of the next one.
   void published();
@@ -50,7 +55,13 @@ class FramePipeline {
   /// Of the last cloud: how often shapes were tried that did not come out, and why.
   const Refusals& refusals() const { return refusals_; }
 
-  /// Of the last cloud that process() could read.
+  /// The last cloud could be read.
+  bool hasCloud() const { return has_cloud_; }
+
+  /// False: its points contradict that a sensor at the origin saw them.
+  bool seenFromOrigin() const { return !has_cloud_ || detector_.result().seen_from_origin; }
+
+  /// Of the last cloud, if there is one, where the sensor is at the origin.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;
 
@@ -71,6 +82,7 @@ class FramePipeline {
   Detector detector_;
   std::optional<LatencyGovernor> governor_;
   Cloud cloud_;
+  bool has_cloud_ = false;
   Status status_ = Status::ok;  ///< of the last cloud
   Refusals refusals_;
   MessageWriter message_writer_;

@@ -61,7 +61,7 @@ TEST(Parameters, AreLiveWithTheDefaultsAndRangesOfTheTable) {
   for (const ParamInfo& info : paramTable()) EXPECT_EQ(getParam(live, info.name), info.default_value) << info.name;
   EXPECT_EQ(DetectorConfig::__getMax__().max_depth, paramInfo("max_depth").max);
   EXPECT_EQ(DetectorConfig::__getMin__().samples, paramInfo("samples").min);
-  EXPECT_EQ(config.__getParamDescriptions__().size() + 1, paramTable().size());  // all but target_frame
+  EXPECT_EQ(config.__getParamDescriptions__().size() + 2, paramTable().size());  // all but the frames
 }
 
 TEST(Parameters, RefuseLiveValuesThatContradictEachOther) {
