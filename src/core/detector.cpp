@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/far_sides.h"
 #include "core/workspace.h"
 
 namespace primitect {
