@@ -70,7 +70,7 @@ const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
 void Detector::label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
   const FrameMemoryScope scope(&work_->memory);
   labelPoints(cloud, work_->result.items, work_->tolerance, labels);
-  if (work_->tolerance.noise.ofDepthCamera()) dropFarSides(cloud, work_->result.items, labels);
+  if (work_->tolerance.noise.ofDepthCamera()) dropFarSides(cloud, work_->result.items, work_->tolerance, labels);
 }
 
 }  // namespace primitect

@@ -4,53 +4,139 @@
 #include "core/far_sides.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/flat.h"
 #include "core/label_runs.h"
+#include "core/observed_part.h"
+#include "core/point_noise.h"
 #include "kernels/loops.h"
 
 namespace primitect {
 namespace {
 
-/// Calls use(i) for the points of this run on the far side.
-template <class Use>
-void forFarSide(const Cloud& cloud, const kernels::FlatShape& shape, bool concave, const LabelRun& run,
-                const Use& use) {
-  constexpr std::size_t kAtOnce = 256;
-  float distance[kAtOnce], nx[kAtOnce], ny[kAtOnce], nz[kAtOnce];
-  const float *x = cloud.x.data(), *y = cloud.y.data(), *z = cloud.z.data();
-  for (std::size_t begin = run.begin; begin < run.end; begin += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, run.end - begin);
-    kernels::loops().feet(shape, x + begin, y + begin, z + begin, count, {distance, nx, ny, nz});
+constexpr std::size_t kAtOnce = 256;
+
+/// Places of some points of the cloud.
+struct Points {
+  std::size_t count = 0;
+  std::uint32_t index[kAtOnce];
+  float x[kAtOnce], y[kAtOnce], z[kAtOnce];
+
+  void add(const Cloud& cloud, std::uint32_t i) {
+    index[count] = i, x[count] = cloud.x[i], y[count] = cloud.y[i], z[count] = cloud.z[i];
+    ++count;
+  }
+
+  /// Keeps those of which `left` says so, of each by its place here.
+  template <class Left>
+  void keep(const Left& left) {
+    std::size_t kept = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = begin + k;
-      const bool inside = nx[k] * x[i] + ny[k] * y[i] + nz[k] * z[i] > 0.0f;
-      if (inside != concave) use(i);
+      if (!left(k)) continue;
+      index[kept] = index[k], x[kept] = x[k], y[kept] = y[k], z[kept] = z[k];
+      ++kept;
+    }
+    count = kept;
+  }
+};
+
+/// A curved detection, and the side from which it was seen.
+struct Wall {
+  kernels::FlatShape shape;
+  bool concave;
+
+  Wall(const Shape& of, bool seen_from_inside) : shape(flattened(of, Vec3::Zero())), concave(seen_from_inside) {}
+
+  /// Calls use(k, distance) for each point, distance: m, infinite where the camera cannot see this side.
+  template <class Use>
+  void forDistances(const float* x, const float* y, const float* z, std::size_t count, const Use& use) const {
+    float distance[kAtOnce], nx[kAtOnce], ny[kAtOnce], nz[kAtOnce];
+    kernels::loops().feet(shape, x, y, z, count, {distance, nx, ny, nz});
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool inside = nx[k] * x[k] + ny[k] * y[k] + nz[k] * z[k] > 0.0f;
+      use(k, inside == concave ? distance[k] : std::numeric_limits<float>::infinity());
     }
   }
-}
+};
+
+/// The walls of one frame.
+class Walls {
+ public:
+  Walls(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance)
+      : cloud_(cloud), tolerance_(flattened(tolerance.noise, tolerance.deviations)) {
+    for (const Detection& detection : detections) {
+      curved_.push_back(kindOf(detection.shape) != Kind::plane);
+      walls_.emplace_back(detection.shape, detection.concave);
+      parts_.emplace_back(detection.shape, detection.extent);
+    }
+  }
+
+  bool curved(std::size_t k) const { return curved_[k]; }
+
+  /// Those of a run, at most kAtOnce points, that the camera cannot see on their wall.
+  void findFar(const LabelRun& run, Points& far) const {
+    const float *x = cloud_.x.data() + run.begin, *y = cloud_.y.data() + run.begin, *z = cloud_.z.data() + run.begin;
+    far.count = 0;
+    walls_[run.label - 1].forDistances(x, y, z, run.end - run.begin, [&](std::size_t k, float distance) {
+      if (std::isinf(distance)) far.add(cloud_, run.begin + static_cast<std::uint32_t>(k));
+    });
+  }
+
+  /// Takes those from the points of wall k that lie on a wall which is seen from the other side, and labels them.
+  void moveToOtherSides(std::size_t k, Points& points, std::vector<std::uint32_t>& labels) const {
+    for (std::size_t other = 0; other < walls_.size() && points.count > 0; ++other) {
+      if (curved_[other] && walls_[other].concave != walls_[k].concave) move(other, points, labels);
+    }
+  }
+
+ private:
+  void move(std::size_t to, Points& points, std::vector<std::uint32_t>& labels) const {
+    float allowed[kAtOnce], depth[kAtOnce];
+    bool moved[kAtOnce];
+    kernels::loops().tolerances(tolerance_, points.z, points.count, allowed);
+    kernels::loops().depths(parts_[to].view(), points.x, points.y, points.z, points.count, depth);
+    walls_[to].forDistances(points.x, points.y, points.z, points.count, [&](std::size_t k, float distance) {
+      moved[k] = std::fabs(distance) < allowed[k] && depth[k] > -allowed[k];
+    });
+    for (std::size_t k = 0; k < points.count; ++k) {
+      if (moved[k]) labels[points.index[k]] = static_cast<std::uint32_t>(to + 1);
+    }
+    points.keep([&](std::size_t k) { return !moved[k]; });
+  }
+
+  const Cloud& cloud_;
+  kernels::FlatTolerance tolerance_;
+  List<bool> curved_;
+  List<Wall> walls_;  ///< of each detection, also of planes
+  List<ObservedPart> parts_;
+};
 
 }  // namespace
 
-List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
                         std::vector<std::uint32_t>& labels) {
-  List<kernels::FlatShape> shapes;
-  for (const Detection& detection : detections) shapes.push_back(flattened(detection.shape, Vec3::Zero()));
+  const Walls walls(cloud, detections, tolerance);
   List<bool> found(detections.size(), false);
+  Points far;
   forLabelRuns(labels, [&](const LabelRun& run) {
     const std::size_t k = run.label - 1;
-    if (kindOf(detections[k].shape) == Kind::plane) return;
-    forFarSide(cloud, shapes[k], detections[k].concave, run, [&](std::size_t i) {
-      labels[i] |= kFarSide;
-      found[k] = true;
-    });
+    if (!walls.curved(k)) return;
+    for (std::uint32_t begin = run.begin; begin < run.end; begin += kAtOnce) {
+      walls.findFar({run.label, begin, std::min(begin + static_cast<std::uint32_t>(kAtOnce), run.end)}, far);
+      walls.moveToOtherSides(k, far, labels);
+      for (std::size_t i = 0; i < far.count; ++i) labels[far.index[i]] |= kFarSide;
+      if (far.count > 0) found[k] = true;
+    }
   });
   return found;
 }
 
-void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, std::vector<std::uint32_t>& labels) {
-  markFarSides(cloud, detections, labels);
+void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
+                  std::vector<std::uint32_t>& labels) {
+  markFarSides(cloud, detections, tolerance, labels);
   for (std::uint32_t& label : labels) label = label < kFarSide ? label : 0;
 }
 

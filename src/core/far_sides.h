@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/frame_memory.h"
+#include "core/tolerance.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -15,12 +16,15 @@ namespace primitect {
 /// Added to the label of a point on the far side.
 constexpr std::uint32_t kFarSide = 1u << 31;
 
-/// Marks points of curved shapes, labelled by index + 1 of their detection, that lie on the side which a camera at the
-/// origin cannot see: a wall as thin as the noise is seen from inside there. Returns which detections have such points.
-List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections,
+/// Finds points of curved shapes, labelled by index + 1 of their detection, that lie on the side which a camera at the
+/// origin cannot see: a wall as thin as the noise is seen from inside there. Where its other surface is a detection,
+/// too, within the tolerance, they become points of that one; else they are marked. Returns which detections have
+/// marked points.
+List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
                         std::vector<std::uint32_t>& labels);
 
-/// Takes their labels from these points.
-void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, std::vector<std::uint32_t>& labels);
+/// The same, but takes the labels from the points that would be marked.
+void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
+                  std::vector<std::uint32_t>& labels);
 
 }  // namespace primitect

@@ -23,7 +23,7 @@ void Detector::Workspace::thin(const Cloud& whole) {
 void Detector::Workspace::findPoints(Labeling& of_cloud) {
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
   far_sides.clear();
-  if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, labels);
+  if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, tolerance, labels);
   pointsOfLabels(labels, mostPoints(), points);
   if (arrangement.projected()) {  // a pixel may hold several points of the cloud
     const List<std::size_t> all = arrangement.projected()->pointsOfLabels(labels, points.size());

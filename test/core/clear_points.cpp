@@ -198,12 +198,14 @@ struct WholeBall {
   }
 };
 
+const Tolerance kTolerance = {NoiseModel{kSigma}, 0.9, 3.0};
+
 TEST(FarSides, LoseTheirLabels) {
   for (const bool concave : {false, true}) {
     WholeBall ball(concave);
     std::vector<std::uint32_t> marked = ball.labels;
-    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, marked), List<bool>{true});
-    dropFarSides(ball.cloud, ball.detections, ball.labels);
+    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, marked), List<bool>{true});
+    dropFarSides(ball.cloud, ball.detections, kTolerance, ball.labels);
     for (std::size_t i = 0; i < ball.labels.size(); ++i) {
       EXPECT_EQ(marked[i], ball.labels[i] == 1 ? 1 : 1 | kFarSide);
       EXPECT_EQ(ball.labels[i] == 1, ball.faces_camera[i] != concave) << concave << " " << i;
@@ -211,10 +213,28 @@ TEST(FarSides, LoseTheirLabels) {
   }
 }
 
+TEST(FarSides, BelongToTheOtherSurfaceOfAThinWallWhereThatWasFound) {
+  WholeBall ball(false);
+  const Sphere inner = {kBall.center, kBall.radius - 0.5 * kSigma};
+  ball.detections.push_back(ball.detections[0]);
+  ball.detections[1].shape = inner;
+  ball.detections[1].concave = true;
+  // Noise alone decides which of the two is nearer.
+  for (std::size_t i = 0; i < ball.labels.size(); ++i) ball.labels[i] = i % 3 == 0 ? 2 : 1;
+  std::vector<std::uint32_t> marked = ball.labels;
+  EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, marked), List<bool>(2, false));
+  for (std::size_t i = 0; i < marked.size(); ++i) EXPECT_EQ(marked[i], ball.faces_camera[i] ? 1u : 2u) << i;
+  // One that is too far inside has nothing to do with it.
+  ball.detections[1].shape = Sphere{kBall.center, kBall.radius - 4.0 * kSigma};
+  ball.labels.assign(ball.labels.size(), 1);
+  dropFarSides(ball.cloud, ball.detections, kTolerance, ball.labels);
+  for (std::size_t i = 0; i < marked.size(); ++i) EXPECT_EQ(ball.labels[i], ball.faces_camera[i] ? 1u : 0u) << i;
+}
+
 TEST(FarSides, AreNotTakenFromPlanes) {
   TwoHalves halves;
   const std::vector<std::uint32_t> before = halves.labels;
-  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, halves.labels), List<bool>(2, false));
+  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, kTolerance, halves.labels), List<bool>(2, false));
   EXPECT_EQ(halves.labels, before);
 }
 
