@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "test/support/exact_shapes.h"
@@ -118,6 +119,19 @@ TEST(Extent, OfAPlaneGoesAroundLargePartsThatSomethingInFrontSeparates) {
   for (const Vec3& point : pointsOf(patchOf(plane, 100, 0.04, random))) points.push_back(point + Vec3(0.3, 0, 0));
   // From -0.05 to 0.34 m, less what no point happens to lie near.
   EXPECT_NEAR(measureExtent(plane, points).size.x(), 0.39, 0.02);
+}
+
+TEST(Extent, OfAPlaneHoldsPartsOfAFifthOfTheLargestOrMore) {
+  Random random(41);
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  // As dense as the first part; from -0.05 to 0.05 m, and around 0.3 m.
+  for (const auto& [count, half_width, width] : {std::tuple(60, 0.027, 0.377), std::tuple(24, 0.017, 0.1)}) {
+    std::vector<Vec3> points = pointsOf(patchOf(plane, 200, 0.05, random));
+    for (const Vec3& point : pointsOf(patchOf(plane, count, half_width, random))) {
+      points.push_back(point + Vec3(0.3, 0, 0));
+    }
+    EXPECT_NEAR(measureExtent(plane, points).size.x(), width, 0.02) << count;
+  }
 }
 
 TEST(Extent, OfAThinStripIsTheWholeStrip) {

@@ -85,6 +85,16 @@ TEST(LevelTop, IsAllOfAPlaneThatReallyIsTilted) {
   EXPECT_EQ(tops.under(0.0, 0.0, 0.4, 0.4 * kTilt).size(), all);
 }
 
+TEST(LevelTop, IsAllOfAFaceTooSteepForATop) {
+  for (const double slope : {0.08, 0.12}) {
+    Tops tops;
+    tops.add(0.0, 0.0, 30);
+    const std::size_t all = tops.add(0.4, 0.4 * slope, 20);
+    const std::size_t left = tops.under(0.05, 0.0, 0.45, 0.4 * slope).size();
+    EXPECT_EQ(left == all, slope > 0.1) << slope;
+  }
+}
+
 TEST(LevelTop, IsAllOfASinglePieceHoweverItLies) {
   Tops tops;
   const std::size_t all = tops.add(0.0, 0.0, 30);

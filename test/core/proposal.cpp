@@ -312,6 +312,10 @@ TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
   };
   ASSERT_TRUE(rivalOf(cone, nearly).kind);
   EXPECT_EQ(*rivalOf(cone, nearly).kind, Kind::cylinder);
+  // One of 15 deg is not.
+  const double clear = 15.0 * kDegree, wide = 0.05 / std::tan(clear);
+  const Cone clear_cone = {Vec3(0, -wide, 1), Vec3(0, 1, 0), clear};
+  EXPECT_FALSE(rivalOf(clear_cone, noisy(patchOf(clear_cone, 300, wide - 0.02, wide + 0.02, random), 11)).kind);
   EXPECT_FALSE(rivalOf(kBall, ball).kind);
   EXPECT_GT(rivalOf(kBall, ball).lead, 0.2);
   // In depth frames all kinds are fitted, also those that come to little: what they explain is taken off.
