@@ -98,7 +98,7 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   runDetector(detector, input, options.repeats, governor, report);
   writePointOutputs(targets, index, detector, input, report);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
-  if (!targets.json.toStdout()) std::cout << tools::resultText(report, input.file.cloud, input.range) << std::flush;
+  if (!targets.json.toStdout()) std::cout << tools::resultText(report, input.file, input.range) << std::flush;
   return report;
 }
 

@@ -138,18 +138,29 @@ std::string otherFrameText(const Cloud& whole, const Detections& found) {
          " taken to be at the origin and to look along z; is the cloud in the frame of the camera?\n";
 }
 
+/// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
+std::string intrinsicsText(const io::PointFile& read) {
+  if (!read.intrinsics) return "";
+  const double right = read.intrinsics->cx / read.cloud.width, down = read.intrinsics->cy / read.cloud.height;
+  const auto central = [](double share) { return 0.25 <= share && share <= 0.75; };
+  if (central(right) && central(down)) return "";
+  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy?\n",
+                read.intrinsics->cx, read.intrinsics->cy);
+}
+
 }  // namespace
 
 /// No depth camera sees so far (m).
 constexpr double kMillimetres = 100.0;
 
-std::string resultText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
+std::string resultText(const io::FileReport& report, const io::PointFile& read, const DepthRange& range) {
+  const Cloud& whole = read.cloud;
   const Detections& found = report.detections;
   std::string text = report.file + ": " + sizeText(whole) + ", " +
                      format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
                             effortText(report).c_str(), found.scene_diameter);
   if (found.scene_diameter > kMillimetres) text += "  note: lengths are taken for metres; are they millimetres?\n";
-  text += otherFrameText(whole, found);
+  text += intrinsicsText(read) + otherFrameText(whole, found);
   if (found.items.empty()) {
     text += "  nothing found: " + emptyText(report, whole, range) + "\n";
   } else {

@@ -223,6 +223,14 @@ TEST_F(DetectProgram, CutsDepthImagesButNotUnorganizedFiles) {
   EXPECT_EQ(runJson(far + " --max_depth 2")["status"], "empty_input");
 }
 
+TEST_F(DetectProgram, AsksWhereTheOrderOfIntrinsicsCannotBeRight) {
+  cv::imwrite(path("image.png"), ballImage());
+  EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5"), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+  EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,159.5,262.5,119.5"), 0);  // as in a camera's matrix
+  EXPECT_NE(out.find("note: the principal point (262.5, 119.5) is far from the middle"), std::string::npos) << out;
+}
+
 TEST_F(DetectProgram, ScalesDepthImages) {
   cv::imwrite(path("image.png"), ballImage());
   const Json json = runJson(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5 --depth-scale 0.0005");
