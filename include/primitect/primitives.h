@@ -152,7 +152,7 @@ struct Detections {
   std::uint32_t samples = 0;      ///< points that voted
   double scene_diameter = 0.0;    ///< d_s (m), see Params::scene_diameter
   /// False: the points are not those of a sensor at the origin that looks along z, as is assumed. Then the image cannot
-  /// be used, and normals may be turned to the wrong side. Nothing is known of lists with normals.
+  /// be used, and normals may be turned to the wrong side. Of lists with normals only points behind the sensor tell.
   bool seen_from_origin = true;
   Refusals refusals;
 };

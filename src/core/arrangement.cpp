@@ -19,6 +19,12 @@ bool isNarrow(const Cloud& cloud) {
   return cloud.organized() && std::min(cloud.width, cloud.height) < kNarrowest;
 }
 
+/// More than strays lie where a sensor that looks along z measures nothing.
+bool liesBehind(const Cloud& cloud) {
+  constexpr double kStrays = 0.01;
+  return cloud.behind_count > kStrays * cloud.valid_count;
+}
+
 }  // namespace
 
 const Cloud& Arrangement::asList(const Cloud& cloud) {
@@ -37,11 +43,12 @@ const Cloud& Arrangement::withoutImage(const Cloud& cloud) {
 }
 
 const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
-  is_projected_ = seen_elsewhere_ = false;
+  is_projected_ = false;
+  seen_elsewhere_ = liesBehind(cloud);
   rays_.reset();
   if (cloud.organized() && !isNarrow(cloud)) {
     const ImageRays rays = findRays(cloud);
-    seen_elsewhere_ = rays.elsewhere;
+    seen_elsewhere_ = seen_elsewhere_ || rays.elsewhere;
     if (!rays.elsewhere && (brings_normals || !isSparse(cloud))) {
       rays_ = rays;
       return cloud;

@@ -19,7 +19,7 @@ class Arrangement {
   /// points are taken as they are. What brings normals of its own stays an image or a list.
   const Cloud& of(const Cloud& cloud, bool brings_normals);
 
-  /// False when the points contradict it; of lists with normals nothing is known.
+  /// False when the points contradict it; of lists with normals only what lies behind the sensor does.
   bool seenFromOrigin() const { return !seen_elsewhere_; }
 
   /// Of the cloud, where it was found to be an image.

@@ -142,6 +142,8 @@ bool ProjectedImage::make(const Cloud& cloud) {
   seen_elsewhere_ = false;
   if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
   View view = viewOf(cloud);
+  constexpr double kSurelyAside = 0.05;  // of the points
+  seen_elsewhere_ = static_cast<double>(view.points) < (1.0 - kSurelyAside) * cloud.valid_count;
   if (static_cast<double>(view.points) < (1.0 - kAside) * cloud.valid_count) return false;
   leaveOutStrays(cloud, view);
   const float width = view.right - view.left, height = view.bottom - view.top;

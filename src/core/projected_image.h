@@ -30,7 +30,7 @@ class ProjectedImage {
   /// seen from elsewhere.
   bool make(const Cloud& cloud);
 
-  /// Of the last make(): more points hide each other than a sensor at the origin would have seen.
+  /// Of the last make(): more points hide each other, or lie aside, than a sensor at the origin would have seen.
   bool seenElsewhere() const { return seen_elsewhere_; }
 
   const Cloud& image() const { return image_; }

@@ -101,6 +101,27 @@ TEST(Arrangement, MakesNoImageOfAListInAnotherFrame) {
   EXPECT_FALSE(arrangement.seenFromOrigin());
 }
 
+TEST(Arrangement, KnowsThatNoSensorSeesWhatIsBehindIt) {
+  // As in a camera's link frame: x ahead, z up, half of the points below 0.
+  Cloud cloud = shuffledList(kScene.image(6));
+  cloud.move(robotFromCamera(0.0, 0.0), DepthRange());
+  for (const bool brings_normals : {false, true}) {
+    Arrangement arrangement;
+    EXPECT_EQ(&arrangement.of(cloud, brings_normals), &cloud);
+    EXPECT_FALSE(arrangement.seenFromOrigin());
+  }
+}
+
+TEST(Arrangement, KnowsThatNoSensorSeesSoFarAside) {
+  // The same, but what is behind was cut away.
+  Cloud cloud = shuffledList(kScene.image(6));
+  cloud.move(robotFromCamera(0.0, 0.0), DepthRange{0.1f, 2.0f});
+  ASSERT_EQ(cloud.behind_count, 0u);
+  Arrangement arrangement;
+  EXPECT_EQ(&arrangement.of(cloud, false), &cloud);
+  EXPECT_FALSE(arrangement.seenFromOrigin());
+}
+
 TEST(Arrangement, ForgetsWhereTheLastCloudWasSeenFrom) {
   Arrangement arrangement;
   arrangement.of(inFrameOfRobot(kScene.image(2)), false);
