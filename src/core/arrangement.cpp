@@ -19,6 +19,12 @@ bool isNarrow(const Cloud& cloud) {
   return cloud.organized() && std::min(cloud.width, cloud.height) < kNarrowest;
 }
 
+/// Lists in a few rows may be in any order, and then their columns tell nothing.
+bool mayBeList(const Cloud& cloud) {
+  constexpr std::uint32_t kFewest = 16;
+  return std::min(cloud.width, cloud.height) < kFewest;
+}
+
 /// More than strays lie where a sensor that looks along z measures nothing.
 bool liesBehind(const Cloud& cloud) {
   constexpr double kStrays = 0.01;
@@ -53,6 +59,7 @@ const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
       rays_ = rays;
       return cloud;
     }
+    if (rays.elsewhere && !mayBeList(cloud)) return asList(cloud);
   }
   return brings_normals ? asList(cloud) : withoutImage(cloud);
 }

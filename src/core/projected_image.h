@@ -41,7 +41,8 @@ class ProjectedImage {
 
  private:
   /// Into image_, which is empty and as large as is needed; left, top and pitch are tangents.
-  std::size_t project(const Cloud& cloud, float left, float top, float pitch);
+  void project(const Cloud& cloud, float left, float top, float pitch);
+  bool hidesMany(const Cloud& cloud, float pitch) const;
 
   Cloud image_;
   List<std::uint32_t> pixel_;

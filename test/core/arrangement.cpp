@@ -93,6 +93,19 @@ TEST(Arrangement, TakesAnImageInAnotherFrameAsAList) {
   }
 }
 
+TEST(Arrangement, MakesNoImageOfOneInAnotherFrameThatHidesNothingThere) {
+  // The camera looks down: seen from below a floor is a floor.
+  test::BallAndWall scene;
+  scene.ball.center.z() = 2.0 * scene.wall;
+  Cloud cloud = scene.image(7);
+  cloud.move(robotFromCamera(2.5, 1.5), DepthRange());
+  Arrangement arrangement;
+  EXPECT_FALSE(arrangement.of(cloud, false).organized());
+  EXPECT_FALSE(arrangement.seenFromOrigin());
+  EXPECT_TRUE(arrangement.of(shuffledList(cloud), false).organized());
+  EXPECT_TRUE(arrangement.seenFromOrigin());
+}
+
 TEST(Arrangement, MakesNoImageOfAListInAnotherFrame) {
   const Cloud cloud = shuffledList(inFrameOfRobot(kScene.image(3)));
   Arrangement arrangement;

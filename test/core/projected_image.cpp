@@ -69,7 +69,7 @@ TEST(ProjectedImage, KeepsTheFirstOfASurfaceAndTheNearerOfTwoSurfaces) {
 }
 
 TEST(ProjectedImage, IsNoneWhereATableHidesWhatStandsOnIt) {
-  // Of a camera's points one in a hundred lies behind another, at edges that a pixel is across; never one in ten.
+  // Of a camera's points one in a hundred lies behind another, at edges that a pixel is across; never one in twenty.
   for (const bool hidden : {false, true}) {
     std::vector<Vec3> points = square(60, 0.6, 1.0);
     for (int k = 0; k < 3600; k += hidden ? 20 : 100) points.push_back(1.1 * points[static_cast<std::size_t>(k)]);
