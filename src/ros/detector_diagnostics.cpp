@@ -77,6 +77,8 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
   } else if (silent()) {
     status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", secondsSince(last_frame_));
+  } else if (!seen_from_origin_) {
+    status.summary(DiagnosticStatus::WARN, "clouds are not seen from the origin of their frame: is sensor_frame right?");
   } else {
     status.summary(DiagnosticStatus::OK, "receiving");
   }
@@ -88,7 +90,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("failed", counters_.failed);
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
-  status.add("seen from the origin", seen_from_origin_ ? "yes" : "no: is sensor_frame set?");
+  status.add("seen from the origin", seen_from_origin_ ? "yes" : "no");
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

@@ -140,9 +140,11 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
 void DetectorNodelet::warnIfSeenFromElsewhere() {
   if (pipeline_->seenFromOrigin() || told_elsewhere_) return;
   told_elsewhere_ = true;
-  NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic()
-                                << " are not seen from the origin of their frame '" << sensor_header_.frame_id
-                                << "' along z: set sensor_frame to the camera's optical frame, or shapes are missed");
+  const std::string& sensor = pipeline_->params().sensor_frame;
+  const std::string advice = sensor.empty() ? "set sensor_frame to the camera's optical frame, or shapes are missed"
+                                            : "is sensor_frame the camera's optical frame, and the transform right?";
+  NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are not seen from the origin of frame '"
+                                << sensor_header_.frame_id << "' along z: " << advice);
 }
 
 void DetectorNodelet::warnIfHopeless() {
@@ -231,7 +233,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
     }
     transformPrimitives(target_from_source, message);
   }
-  message.header.frame_id = target;
+  message.header.frame_id = message.status == PrimitiveArray::NO_TRANSFORM ? cloud_frame : target;
   marker_style_.viewpoint = target_from_source.translation();
   marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
   return problem;

@@ -92,9 +92,8 @@ class SensorFrame(unittest.TestCase):
         def said():
             detector.ask(in_base())
             states = [s for m in diagnostics.all() for s in m.status if s.name == "without: input"]
-            values = {v.key: v.value for s in states for v in s.values}
             warnings = [m for m in log.all() if m.name == "/without" and "set sensor_frame" in m.msg]
-            return warnings and values.get("seen from the origin", "").startswith("no")
+            return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message]
         self.assertTrue(wait_for(said))
 
 

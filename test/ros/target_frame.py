@@ -42,6 +42,7 @@ class TargetFrame(unittest.TestCase):
             answer = detector.ask(cloud_message(*SCENE))  # again, as the warning is throttled
             self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
             self.assertEqual(len(answer.primitives), 0)
+            self.assertEqual(answer.header.frame_id, "camera")
             return [m for m in log.all() if m.name == "/detector" and "'camera'" in m.msg and "'base'" in m.msg]
         self.assertTrue(wait_for(warned))
 
