@@ -110,6 +110,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   }
   const std::string no_transform = toTargetFrame(cloud.header.frame_id, message);
   if (problem.empty()) problem = no_transform;
+  track(message);
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
   diagnostics_->frameDone(message, pipeline_->refusals(), pipeline_->seenFromOrigin(), problem);
@@ -135,6 +136,11 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   PrimitiveArray& message = pipeline_->process(cloud, sensor_from_cloud);
   message.header.frame_id = sensor;
   return message;
+}
+
+void DetectorNodelet::track(PrimitiveArray& message) {
+  if (!pipeline_->params().track) return tracker_.startAnew();
+  tracker_.update(pipeline_->params().track_patience, message);
 }
 
 void DetectorNodelet::warnIfSeenFromElsewhere() {
@@ -208,6 +214,7 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
   last_stamp_ = stamp;
   if (backwards <= kTimeJumpSeconds) return;
   NODELET_INFO_STREAM(getName() << ": time went back by " << backwards << " s, starting anew");
+  tracker_.startAnew();
   marker_writer_.startAnew();
   diagnostics_->startAnew();
   pipeline_->startAnew();

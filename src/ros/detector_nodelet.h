@@ -17,6 +17,7 @@
 #include "frame_pipeline.h"
 #include "markers.h"
 #include "parameters.h"
+#include "tracking.h"
 
 namespace primitect::ros_layer {
 
@@ -52,6 +53,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   /// Moves the primitives from the sensor's frame to target_frame or that of the cloud; empty, or why that is not
   /// possible.
   std::string toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message);
+  void track(PrimitiveArray& message);
 
   /// Callbacks are serial, but onInit() runs in another thread than they do.
   boost::recursive_mutex mutex_;
@@ -59,6 +61,7 @@ class DetectorNodelet : public nodelet::Nodelet {
 
   std::unique_ptr<FramePipeline> pipeline_;
   std::unique_ptr<DetectorDiagnostics> diagnostics_;
+  PrimitiveTracker tracker_;
   MarkerWriter marker_writer_;
   MarkerStyle marker_style_;
   ros::Time last_stamp_;

@@ -137,6 +137,15 @@ class SimulatedCamera(unittest.TestCase):
             self.assertLess(max(rows[i][i] for i in range(3)), POSITION ** 2)
             self.assertGreater(min(rows[i][i] for i in range(3, 6)), 0.99 * UNOBSERVABLE)
 
+    def test_numbers_things_over_frames(self):
+        for before, now in zip(self.frames, self.frames[1:]):
+            ids = [p.track_id for p in now[PRIMITIVES].primitives]
+            self.assertEqual(len(set(ids) - {0}), len(ids), ids)
+            known = {p.track_id for p in before[PRIMITIVES].primitives}
+            kept = [p for p in now[PRIMITIVES].primitives if p.track_id in known]
+            self.assertGreaterEqual(len(kept), ENOUGH * len(ids))
+            self.assertTrue(all(p.age > 0 for p in kept))
+
     def test_counts_points_of_the_cloud_as_inliers(self):
         message, labels = self.frames[-1][PRIMITIVES], self.frames[-1][LABELS]
         counts = counts_of(labels)
@@ -161,9 +170,9 @@ class SimulatedCamera(unittest.TestCase):
             self.assertEqual({m.header.frame_id for m in array}, {FRAME})
             shown = {(m.ns, m.id): m for m in array if m.action == Marker.ADD}
             for p in frame[PRIMITIVES].primitives:
-                with self.subTest(kind=KINDS[p.type], id=p.id):
-                    self.assertIn((KINDS[p.type] + "_text", p.id), shown)
-                    self.check_surface(p, shown[(KINDS[p.type], p.id)])
+                with self.subTest(kind=KINDS[p.type], id=p.track_id):
+                    self.assertIn((KINDS[p.type] + "_text", p.track_id), shown)
+                    self.check_surface(p, shown[(KINDS[p.type], p.track_id)])
 
     def check_surface(self, p, marker):
         if p.type in (Primitive.PLANE, Primitive.CONE):  # triangles in the frame itself

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers that things keep from frame to frame.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// What tells a thing from others, in a frame in which things rest or move slowly (m).
+struct Sighting {
+  Kind kind = Kind::plane;
+  bool concave = false;
+  Vec3 origin = Vec3::Zero();      ///< middle of the observed part, as Extent::origin
+  Vec3 direction = Vec3::UnitZ();  ///< plane: normal; cylinder and cone: axis; unit
+  double radius = 0.0;             ///< sphere, cylinder; cone: at the wide end of the observed part
+  double reach = 0.0;              ///< half of the longest side of what was seen of a plane, cylinder or cone
+};
+
+/// Of the detection's own frame.
+Sighting sightingOf(const Detection& detection);
+
+/// A thing of one frame after the other.
+struct Track {
+  std::uint32_t id = 0;   ///< from 1 on, each given once
+  std::uint32_t age = 0;  ///< frames since the first one with it
+};
+
+/// Finds the things of the last frames again: the nearest ones of the same kind, position, direction and size, each at
+/// most once. Cylinders and cones, which noise may exchange, continue each other.
+class Tracker {
+ public:
+  /// patience (s): what was not seen for longer is a new thing.
+  explicit Tracker(double patience = 2.0) : patience_(patience) {}
+
+  void setPatience(double patience) { patience_ = patience; }
+
+  /// The track of each sighting of the next frame, which was taken at this time (s). Valid until the next call.
+  const std::vector<Track>& update(const std::vector<Sighting>& sightings, double seconds);
+
+  /// Forgets all things; numbers begin with 1 again.
+  void startAnew();
+
+ private:
+  struct Thing {
+    Track track;
+    Sighting last;
+    double seen = 0.0;  ///< s
+  };
+  /// A thing of before that may be a sighting.
+  struct Match {
+    double cost;
+    std::size_t thing, sighting;
+  };
+
+  void findMatches(const std::vector<Sighting>& sightings, double seconds);
+
+  double patience_;
+  std::uint32_t next_id_ = 1;
+  std::vector<Thing> things_;
+  std::vector<Match> matches_;
+  std::vector<Track> tracks_;
+  std::vector<bool> taken_;  ///< things that have a sighting in this frame
+};
+
+}  // namespace primitect

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Nearest neighbours among things of one kind; see tracker.h.
+#include "primitect/tracker.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace primitect {
+namespace {
+
+/// How much may change from frame to frame: above what noise does to small things at 2 m, below what tells neighbours
+/// apart.
+constexpr double kMostTurn = 0.26, kMostTurnOfPlanes = 0.17;  // rad
+constexpr double kMostGrowth = 0.3;                           // log of the ratio of radii
+constexpr double kMostStep = 0.05;                            // m, across a surface or of a centre
+constexpr double kMostSpeed = 0.3;                            // m/s, besides
+/// Of the reach along a surface: what hides an end moves the middle of what is seen.
+constexpr double kMostSlide = 0.6;
+
+bool isTube(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone; }
+
+bool mayBeSame(const Sighting& a, const Sighting& b) {
+  const bool alike = a.kind == b.kind || (isTube(a.kind) && isTube(b.kind));
+  return alike && a.concave == b.concave;
+}
+
+double square(double value) { return value * value; }
+
+/// Sum of squares, each as a share of the most; nothing when one is above it.
+class Cost {
+ public:
+  void add(double value, double most) {
+    const double share = std::abs(value) / most;
+    within_ = within_ && share <= 1.0;  // not of NaN
+    sum_ += square(share);
+  }
+  std::optional<double> sum() const { return within_ ? std::optional<double>(sum_) : std::nullopt; }
+
+ private:
+  double sum_ = 0.0;
+  bool within_ = true;
+};
+
+double lineAngle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// How unlike two sightings are that lie so many seconds apart; nothing: too much to be one thing.
+std::optional<double> costOf(const Sighting& before, const Sighting& now, double seconds) {
+  if (!mayBeSame(before, now)) return std::nullopt;
+  Cost cost;
+  const Vec3 moved = now.origin - before.origin;
+  const double step = kMostStep + kMostSpeed * seconds, slide = step + kMostSlide * std::max(before.reach, now.reach);
+  const double along = before.direction.dot(moved);
+  const double across = std::sqrt(std::max(0.0, moved.squaredNorm() - square(along)));
+  if (before.kind == Kind::plane) {
+    cost.add(angle(before.direction, now.direction), kMostTurnOfPlanes);
+    cost.add(along, step);
+    cost.add(across, slide);
+    return cost.sum();
+  }
+  cost.add(std::log(now.radius / before.radius), kMostGrowth);
+  if (before.kind == Kind::sphere) {
+    cost.add(moved.norm(), step + kMostSlide * before.radius);
+    return cost.sum();
+  }
+  // A cylinder's axis has no sign, and a cone's may be that of a cylinder before.
+  cost.add(lineAngle(before.direction, now.direction), kMostTurn);
+  cost.add(across, step);
+  cost.add(along, slide);
+  return cost.sum();
+}
+
+}  // namespace
+
+Sighting sightingOf(const Detection& detection) {
+  Sighting sighting;
+  sighting.kind = kindOf(detection.shape);
+  sighting.concave = detection.concave;
+  sighting.origin = detection.extent.origin;
+  sighting.direction = detection.extent.rotation.col(2);
+  sighting.radius = detection.extent.radius;
+  sighting.reach = 0.5 * detection.extent.size.maxCoeff();
+  return sighting;
+}
+
+/// The best ones first.
+void Tracker::findMatches(const std::vector<Sighting>& sightings, double seconds) {
+  matches_.clear();
+  for (std::size_t t = 0; t < things_.size(); ++t) {
+    for (std::size_t s = 0; s < sightings.size(); ++s) {
+      const double since = std::max(0.0, seconds - things_[t].seen);
+      if (const auto cost = costOf(things_[t].last, sightings[s], since)) matches_.push_back({*cost, t, s});
+    }
+  }
+  std::sort(matches_.begin(), matches_.end(), [](const Match& a, const Match& b) {
+    return std::tie(a.cost, a.thing, a.sighting) < std::tie(b.cost, b.thing, b.sighting);
+  });
+}
+
+const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings, double seconds) {
+  const auto forgotten = [&](const Thing& thing) { return !(seconds - thing.seen <= patience_); };
+  things_.erase(std::remove_if(things_.begin(), things_.end(), forgotten), things_.end());
+  for (Thing& thing : things_) ++thing.track.age;
+  findMatches(sightings, seconds);
+  tracks_.assign(sightings.size(), Track());
+  taken_.assign(things_.size(), false);
+  for (const Match& match : matches_) {
+    if (taken_[match.thing] || tracks_[match.sighting].id != 0) continue;
+    taken_[match.thing] = true;
+    Thing& thing = things_[match.thing];
+    thing.last = sightings[match.sighting];
+    thing.seen = seconds;
+    tracks_[match.sighting] = thing.track;
+  }
+  for (std::size_t s = 0; s < sightings.size(); ++s) {
+    if (tracks_[s].id != 0) continue;
+    tracks_[s].id = next_id_++;
+    things_.push_back({tracks_[s], sightings[s], seconds});
+  }
+  return tracks_;
+}
+
+void Tracker::startAnew() {
+  things_.clear();
+  next_id_ = 1;
+}
+
+}  // namespace primitect

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Tracks of the primitives of a message.
+#pragma once
+
+#include <primitect/PrimitiveArray.h>
+
+#include <vector>
+
+#include "primitect/tracker.h"
+
+namespace primitect::ros_layer {
+
+/// Of one message after the other; keeps its memory.
+class PrimitiveTracker {
+ public:
+  /// Fills track_id and age, by the stamp of the message and in its frame. Also for empty messages: time goes on.
+  /// patience (s): see Tracker.
+  void update(double patience, PrimitiveArray& message);
+
+  void startAnew() { tracker_.startAnew(); }
+
+ private:
+  Tracker tracker_;
+  std::vector<Sighting> sightings_;
+};
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What keeps its number from frame to frame, and what does not.
+#include "primitect/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/random.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kFrame = 1.0 / 30.0;  // s
+
+Sighting ball(const Vec3& center, double radius = 0.05) {
+  return {Kind::sphere, false, center, Vec3::UnitZ(), radius, 0.0};
+}
+
+Sighting can(const Vec3& middle, const Vec3& axis = Vec3::UnitZ()) {
+  return {Kind::cylinder, false, middle, axis, 0.04, 0.06};
+}
+
+Sighting top(const Vec3& middle, const Vec3& normal = Vec3::UnitZ()) {
+  return {Kind::plane, false, middle, normal, 0.0, 0.1};
+}
+
+std::vector<std::uint32_t> idsOf(const std::vector<Track>& tracks) {
+  std::vector<std::uint32_t> ids;
+  for (const Track& track : tracks) ids.push_back(track.id);
+  return ids;
+}
+
+using Ids = std::vector<std::uint32_t>;
+
+TEST(Tracker, GivesThingsTheSameNumbersInAnyOrder) {
+  const Sighting red = ball({0, 0, 1}), blue = ball({0.12, 0, 1}), tin = can({0.3, 0, 1});
+  Tracker tracker;
+  EXPECT_EQ(idsOf(tracker.update({red, blue, tin}, 0.0)), (Ids{1, 2, 3}));
+  EXPECT_EQ(idsOf(tracker.update({tin, red, blue}, kFrame)), (Ids{3, 1, 2}));
+  EXPECT_EQ(idsOf(tracker.update({blue, ball({0.5, 0, 1})}, 2 * kFrame)), (Ids{2, 4}));
+}
+
+TEST(Tracker, FollowsWhatMovesAndWhatNoiseMoves) {
+  Random random(1);
+  Tracker tracker;
+  // Two balls roll past each other at half a metre a second, 12 cm apart.
+  for (int frame = 0; frame < 60; ++frame) {
+    const double way = 0.5 * kFrame * frame - 0.5, noise = 0.005 * random.gaussian();
+    const Sighting there = ball({way, noise, 1.0}), back = ball({-way, 0.12, 1.0 + noise});
+    ASSERT_EQ(idsOf(tracker.update({there, back}, kFrame * frame)), (Ids{1, 2})) << frame;
+  }
+}
+
+TEST(Tracker, CountsFramesSinceTheFirstAlsoThoseWithoutIt) {
+  Tracker tracker;
+  EXPECT_EQ(tracker.update({ball({0, 0, 1})}, 0.0)[0].age, 0u);
+  EXPECT_EQ(tracker.update({ball({0, 0, 1})}, kFrame)[0].age, 1u);
+  tracker.update({}, 2 * kFrame);
+  const Track again = tracker.update({ball({0, 0, 1}), ball({1, 0, 1})}, 3 * kFrame)[0];
+  EXPECT_EQ(again.id, 1u);
+  EXPECT_EQ(again.age, 3u);
+}
+
+TEST(Tracker, WaitsForWhatIsHiddenAsLongAsItsPatience) {
+  for (const double hidden : {0.4, 0.6}) {
+    Tracker tracker(0.5);
+    tracker.update({ball({0, 0, 1})}, 10.0);
+    tracker.update({}, 10.0 + 0.5 * hidden);
+    EXPECT_EQ(idsOf(tracker.update({ball({0, 0, 1})}, 10.0 + hidden)), Ids{hidden < 0.5 ? 1u : 2u});
+  }
+}
+
+TEST(Tracker, FollowsAPlaneWhoseEndIsHidden) {
+  Tracker tracker;
+  tracker.update({top({0, 0, 1})}, 0.0);
+  EXPECT_EQ(idsOf(tracker.update({top({0.06, 0, 1})}, kFrame)), Ids{1});
+  // Another height, another side, and beside it.
+  EXPECT_EQ(idsOf(tracker.update({top({0.06, 0, 1.1})}, 2 * kFrame)), Ids{2});
+  EXPECT_EQ(idsOf(tracker.update({top({0.06, 0, 1.1}, -Vec3::UnitZ())}, 3 * kFrame)), Ids{3});
+  EXPECT_EQ(idsOf(tracker.update({top({0.4, 0, 1.1}, -Vec3::UnitZ())}, 4 * kFrame)), Ids{4});
+}
+
+TEST(Tracker, TakesACylinderForAConeButNoOtherKindForAnother) {
+  Tracker tracker;
+  tracker.update({can({0, 0, 1})}, 0.0);
+  Sighting cone = can({0, 0, 1}, -Vec3::UnitZ());  // an axis of a cylinder has no sign
+  cone.kind = Kind::cone;
+  EXPECT_EQ(idsOf(tracker.update({cone}, kFrame)), Ids{1});
+  EXPECT_EQ(idsOf(tracker.update({can({0, 0, 1})}, 2 * kFrame)), Ids{1});
+  Sighting inside = can({0, 0, 1});
+  inside.concave = true;
+  EXPECT_EQ(idsOf(tracker.update({inside, ball({0, 0, 1}, 0.04), top({0, 0, 1})}, 3 * kFrame)), (Ids{2, 3, 4}));
+}
+
+TEST(Tracker, TellsThingsBySizeAndDirection) {
+  Tracker tracker;
+  tracker.update({ball({0, 0, 1}), can({1, 0, 1})}, 0.0);
+  EXPECT_EQ(idsOf(tracker.update({ball({0, 0, 1}, 0.08), can({1, 0, 1}, Vec3::UnitX())}, kFrame)), (Ids{3, 4}));
+}
+
+TEST(Tracker, StartsAnewWithOne) {
+  Tracker tracker;
+  tracker.update({ball({0, 0, 1}), ball({1, 0, 1})}, 0.0);
+  tracker.startAnew();
+  const Track track = tracker.update({ball({1, 0, 1})}, kFrame)[0];
+  EXPECT_EQ(track.id, 1u);
+  EXPECT_EQ(track.age, 0u);
+}
+
+TEST(Tracker, GivesWhatHasNoPlaceANewNumberEachTime) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  Tracker tracker;
+  const std::vector<Sighting> odd = {ball({kNan, 0, 1}), ball({0, 0, 1}, 0.0), top({0, 0, 1}, {kNan, 0, 0})};
+  EXPECT_EQ(idsOf(tracker.update(odd, 0.0)), (Ids{1, 2, 3}));
+  EXPECT_EQ(idsOf(tracker.update(odd, kFrame)), (Ids{4, 5, 6}));
+  EXPECT_TRUE(tracker.update({}, kNan).empty());
+}
+
+}  // namespace
+}  // namespace primitect
