@@ -7,6 +7,7 @@ import threading
 import time
 
 import rospy
+from geometry_msgs.msg import TransformStamped
 from primitect.msg import PrimitiveArray
 from sensor_msgs.msg import PointCloud2, PointField
 
@@ -80,6 +81,16 @@ def wall_and_ball(radius=0.1, center=(0.0, 0.0, 0.8), wall=1.2, width=160, heigh
             depth = (along - math.sqrt(root)) / square if root > 0 else wall
             points.append(tuple(depth * a for a in ray))
     return points, width, height
+
+
+def camera_looking_ahead(height):
+    """At this height (m) above the base; its x, y, z axes (right, down, ahead) are the base's -y, -z, x axes."""
+    transform = TransformStamped()
+    transform.header.frame_id, transform.child_frame_id = "base", "camera"
+    transform.transform.translation.z = height
+    rotation = transform.transform.rotation
+    rotation.x, rotation.y, rotation.z, rotation.w = -0.5, 0.5, -0.5, 0.5
+    return transform
 
 
 class Detector:

@@ -10,24 +10,13 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import TransformStamped
 from primitect.msg import Primitive, PrimitiveArray
-from ros_helpers import Collector, Detector, cloud_message, wait_for, wall_and_ball
+from ros_helpers import Collector, Detector, camera_looking_ahead, cloud_message, wait_for, wall_and_ball
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import PointCloud2
 
 HEIGHT = 0.7  # m
 POINTS, WIDTH, IMAGE_HEIGHT = wall_and_ball()  # the wall is at z = 1.2 m of the camera, the ball at 0.8 m
-
-
-def camera_looking_ahead():
-    """At a height above the base; its x, y, z axes (right, down, ahead) are the base's -y, -z, x axes."""
-    transform = TransformStamped()
-    transform.header.frame_id, transform.child_frame_id = "base", "camera"
-    transform.transform.translation.z = HEIGHT
-    rotation = transform.transform.rotation
-    rotation.x, rotation.y, rotation.z, rotation.w = -0.5, 0.5, -0.5, 0.5
-    return transform
 
 
 def in_base():
@@ -54,7 +43,7 @@ class SensorFrame(unittest.TestCase):
         self.assertEqual(labels.all(), [])
 
         broadcaster = tf2_ros.StaticTransformBroadcaster()
-        broadcaster.sendTransform(camera_looking_ahead())
+        broadcaster.sendTransform(camera_looking_ahead(HEIGHT))
         answers = []
 
         def found():

@@ -8,9 +8,8 @@ import unittest
 import rospy
 import rostest
 import tf2_ros
-from geometry_msgs.msg import TransformStamped
 from primitect.msg import Primitive, PrimitiveArray
-from ros_helpers import Collector, Detector, cloud_message, wait_for, wall_and_ball
+from ros_helpers import Collector, Detector, camera_looking_ahead, cloud_message, wait_for, wall_and_ball
 from rosgraph_msgs.msg import Log
 from visualization_msgs.msg import MarkerArray
 
@@ -19,16 +18,6 @@ SCENE = wall_and_ball()  # the wall is at z = 1.2 m of the camera
 
 HEIGHT = 0.7  # m
 UNOBSERVABLE = 1e6  # m^2
-
-
-def camera_looking_ahead():
-    """At a height above the base; its x, y, z axes (right, down, ahead) are the base's -y, -z, x axes."""
-    transform = TransformStamped()
-    transform.header.frame_id, transform.child_frame_id = "base", "camera"
-    transform.transform.translation.z = HEIGHT
-    rotation = transform.transform.rotation
-    rotation.x, rotation.y, rotation.z, rotation.w = -0.5, 0.5, -0.5, 0.5
-    return transform
 
 
 class TargetFrame(unittest.TestCase):
@@ -47,7 +36,7 @@ class TargetFrame(unittest.TestCase):
         self.assertTrue(wait_for(warned))
 
         broadcaster = tf2_ros.StaticTransformBroadcaster()
-        broadcaster.sendTransform(camera_looking_ahead())
+        broadcaster.sendTransform(camera_looking_ahead(HEIGHT))
         answers = []
 
         def moved():
