@@ -42,6 +42,7 @@ class ProjectedImage {
  private:
   /// Into image_, which is empty and as large as is needed; left, top and pitch are tangents.
   void project(const Cloud& cloud, float left, float top, float pitch);
+  bool isSeenBeside(std::uint32_t pixel, float depth, float behind) const;
   bool hidesMany(const Cloud& cloud, float pitch) const;
 
   Cloud image_;

@@ -120,7 +120,6 @@ std::size_t Detector::Workspace::mostSamples(const Cloud& cloud) {
 }
 
 /// Draws samples from the points that none of these explains.
-// Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
 void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
   // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
   constexpr double kOutskirts = 2.0;
@@ -146,8 +145,6 @@ double Detector::Workspace::sceneDiameter() const {
 }
 
 /// d_s, and what noise to expect, from the first samples.
-// All points in one place have no scale and no normals.
-// With noise that is the same everywhere, cones need their distant pairs.
 void Detector::Workspace::measureScale() {
   result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : sceneDiameter();
   // All points in one place have no scale and no normals.
@@ -181,7 +178,6 @@ void Detector::Workspace::segmentByVotes() {
 }
 
 /// Normals that the cloud brings may be too poor for its noise: then they are measured anew.
-// With all samples noise that could not be measured is strong; with less effort they may just be too few.
 bool Detector::Workspace::improveNormals(const Cloud& cloud) {
   constexpr double kPoor = 0.1, kWanted = 0.05;  // rad, about each axis
   const NoiseModel& noise = verification.noise();

@@ -68,7 +68,7 @@ struct Detector::Workspace {
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& whole);
 
-  // What they are made of: where these are.
+  // What these are made of.
 
   bool bringsNormals(const Cloud& cloud) const;
   void forgetResult();

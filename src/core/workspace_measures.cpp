@@ -104,9 +104,6 @@ List<std::size_t> Detector::Workspace::mostPoints() const {
 /// other than they are to tell something new count for fewer; of curved shapes, which chance makes less often, not by
 /// so much. Measured on 220 tables, 60 shuffled ones and 150 objects cut out of tables (seeds 2300 and following): as
 /// many are found, and .3, 1.1 and 2.5 % more of that is right.
-// Of the points that as many samples stand for on average.
-// Without the closer look each of the few samples stands for no more than it would with it.
-// As many as inliers were looked at; each of these stands for some of a large cloud.
 std::size_t Detector::Workspace::fewestPoints(Kind kind, const Cloud& cloud) {
   constexpr double kOfCurved = 2.0 / 3.0;
   const bool curved = kind != Kind::plane, in_image = depth_camera && !arrangement.projected();

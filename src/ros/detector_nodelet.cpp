@@ -121,10 +121,10 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
 }
 
 PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
-  const std::string& sensor = pipeline_->params().sensor_frame;
+  const std::string sensor = frameName(pipeline_->params().sensor_frame);
   const std::string& source = cloud.header.frame_id;
   sensor_header_ = cloud.header;
-  if (sensor.empty() || sensor == source) return pipeline_->process(cloud);
+  if (sensor.empty() || sensor == frameName(source)) return pipeline_->process(cloud);
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
@@ -227,7 +227,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
   Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();
   std::string problem;
   const bool something_to_move = message.status == PrimitiveArray::OK;
-  if (something_to_move && target != source) {
+  if (something_to_move && frameName(target) != frameName(source)) {
     try {
       target_from_source =
           tf2::transformToEigen(lookupLateTransform(*transforms_, target, source, message.header.stamp));

@@ -71,7 +71,7 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message,
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
   problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, params().use_cloud_normals, cloud_);
   has_cloud_ = problem_.empty();
-  if (sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
+  if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
   const Detections& detections = has_cloud_ ? detect() : kRejected;
   status_ = detections.status;

@@ -17,7 +17,7 @@ geometry_msgs::TransformStamped lookupLateTransform(const tf2::BufferCore& trans
   const SteadyClock::time_point begin = SteadyClock::now();
   while (true) {
     try {
-      return transforms.lookupTransform(target, source, stamp);
+      return transforms.lookupTransform(frameName(target), frameName(source), stamp);
     } catch (const tf2::TransformException&) {
       if (secondsSince(begin) >= kTransformPatienceSeconds) throw;
     }

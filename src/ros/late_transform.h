@@ -14,6 +14,9 @@ namespace primitect::ros_layer {
 /// Drivers and localization send the transform of a stamp shortly after the cloud; longer is no jitter (s).
 constexpr double kTransformPatienceSeconds = 0.05;
 
+/// The name of a frame as tf2 knows it: without the slash that tf put in front of it.
+inline std::string frameName(const std::string& frame) { return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame; }
+
 /// The transform at that stamp; another thread must fill the buffer. Waits by the steady clock, at most for
 /// kTransformPatienceSeconds, so that a simulated time that stands still blocks nothing.
 /// Throws what BufferCore::lookupTransform() throws when there is none by then.
