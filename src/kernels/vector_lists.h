@@ -12,7 +12,7 @@ namespace {
 #define PRIMITECT_INLINE inline __attribute__((always_inline))
 
 /// Entries that a list takes before it must be emptied.
-constexpr int kEntries = 128;
+constexpr int kEntries = 256;
 constexpr int kRoom = kEntries + 2 * kLanes;
 
 /// 0, 1, 2, ...

@@ -9,13 +9,15 @@
 namespace primitect::kernels {
 namespace {
 
-/// Fields of pairs: eq. 2, and what shapes with an axis need besides.
-enum PairField { kC1, kC2, kC3, kC4, kDx, kDy, kDz, kNx, kNy, kNz };
+/// Fields of pairs that vote for planes: eq. 2. Of the others, d and the normal, from which these follow: packing four
+/// more fields takes longer than to find them anew where all lanes are full.
+enum PairFeature { kC1, kC2, kC3, kC4 };
+enum PairField { kDx, kDy, kDz, kNx, kNy, kNz };
 
 /// Pairs by what they vote for.
 struct SelectedPairs {
   LaneList<4> plane;
-  LaneList<10> convex, concave;
+  LaneList<6> convex, concave;
 
   bool full() const {
     constexpr int kMost = kEntries - kBoxSamples;
@@ -49,15 +51,23 @@ PRIMITECT_INLINE Floats dot(Floats ax, Floats ay, Floats az, Floats bx, Floats b
   return rounded(ax * bx) + rounded(ay * by) + rounded(az * bz);
 }
 
+struct FeatureLanes {
+  Floats c1, c2, c3, c4;
+};
+
+/// Eq. 2.
+PRIMITECT_INLINE FeatureLanes features(Floats rx, Floats ry, Floats rz, Floats dx, Floats dy, Floats dz, Floats nx,
+                                       Floats ny, Floats nz) {
+  return {dot(dx, dy, dz, dx, dy, dz), dot(dx, dy, dz, rx, ry, rz), dot(dx, dy, dz, nx, ny, nz),
+          dot(nx, ny, nz, rx, ry, rz)};
+}
+
 /// Conditions of algorithm 1 for the pairs with samples i, i + 1, ...
 template <bool kConvex, bool kConcave>
 PRIMITECT_INLINE void select(const Comparison& r, const Samples& s, std::size_t i, SelectedPairs& selected) {
   const Floats dx = load(s.x + i) - r.x, dy = load(s.y + i) - r.y, dz = load(s.z + i) - r.z;
   const Floats nx = load(s.nx + i), ny = load(s.ny + i), nz = load(s.nz + i);
-  const Floats c1 = dot(dx, dy, dz, dx, dy, dz);
-  const Floats c2 = dot(dx, dy, dz, r.nx, r.ny, r.nz);
-  const Floats c3 = dot(dx, dy, dz, nx, ny, nz);
-  const Floats c4 = dot(nx, ny, nz, r.nx, r.ny, r.nz);
+  const auto [c1, c2, c3, c4] = features(r.nx, r.ny, r.nz, dx, dy, dz, nx, ny, nz);
   const Ints near = (c1 > 0.0f) & (c1 <= r.max_distance_sq);
   const Ints convex = kConvex ? near & (c2 <= 0.0f) & (c3 >= 0.0f) : Ints{};
   const Ints concave = kConcave ? near & ~convex & (c2 >= 0.0f) & (c3 <= 0.0f) : Ints{};
@@ -68,10 +78,10 @@ PRIMITECT_INLINE void select(const Comparison& r, const Samples& s, std::size_t 
   if (any(plane)) selected.plane.append({c1, c2, c3, c4}, Packing(plane));
   const Ints convex_curved = convex & ~parallel, concave_curved = concave & ~parallel;
   if (kConvex && any(convex_curved)) {
-    selected.convex.append({c1, c2, c3, c4, dx, dy, dz, nx, ny, nz}, Packing(convex_curved));
+    selected.convex.append({dx, dy, dz, nx, ny, nz}, Packing(convex_curved));
   }
   if (kConcave && any(concave_curved)) {
-    selected.concave.append({c1, c2, c3, c4, dx, dy, dz, nx, ny, nz}, Packing(concave_curved));
+    selected.concave.append({dx, dy, dz, nx, ny, nz}, Packing(concave_curved));
   }
 }
 

@@ -56,8 +56,31 @@ void votePlanes(LaneList<4>& pairs, const VotingRules& rules, Accumulators& accu
   pairs.clear();
 }
 
+/// Pairs that vote for curved surfaces, and their features.
+struct CurvedPairs {
+  CurvedPairs(const OrientedPoint& r, LaneList<6>& selected) : pairs(selected) {
+    const Floats nx = Floats{} + r.normal.x, ny = Floats{} + r.normal.y, nz = Floats{} + r.normal.z;
+    pairs.pad();
+    for (int i = 0; i < pairs.count(); i += kLanes) {
+      const FeatureLanes c = features(nx, ny, nz, pairs.at(kDx, i), pairs.at(kDy, i), pairs.at(kDz, i),
+                                      pairs.at(kNx, i), pairs.at(kNy, i), pairs.at(kNz, i));
+      store(c.c1, features_[kC1] + i), store(c.c2, features_[kC2] + i);
+      store(c.c3, features_[kC3] + i), store(c.c4, features_[kC4] + i);
+    }
+  }
+
+  int count() const { return pairs.count(); }
+  Ints valid(int i) const { return pairs.valid(i); }
+  Floats at(PairField field, int i) const { return pairs.at(field, i); }
+  Floats at(PairFeature feature, int i) const { return load(features_[feature] + i); }
+
+ private:
+  LaneList<6>& pairs;
+  alignas(64) float features_[4][kRoom];
+};
+
 /// Eq. 9 and 10.
-void findCones(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cones) {
+void findCones(const Ballot& b, const CurvedPairs& pairs, LaneList<4>& cones) {
   const OrientedPoint& r = b.reference.sample;
   const float bins = static_cast<float>(b.accumulators.radius_bins);
   for (int i = 0; i < pairs.count(); i += kLanes) {
@@ -72,7 +95,7 @@ void findCones(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cones) {
   }
 }
 
-void spreadCones(const Ballot& b, const LaneList<10>& pairs, VoteList<4>& votes) {
+void spreadCones(const Ballot& b, const CurvedPairs& pairs, VoteList<4>& votes) {
   LaneList<4> cones;
   findCones(b, pairs, cones);
   cones.pad();
@@ -93,7 +116,7 @@ void spreadCones(const Ballot& b, const LaneList<10>& pairs, VoteList<4>& votes)
 
 /// Cylinders and spheres: the conditions AS and VT and the deviations from them, through sums of angles. With s the
 /// parts of d across the normals, cos F = C / |d| and sin F = s / |d|.
-void findSymmetric(const Ballot& b, const LaneList<10>& pairs, LaneList<4>& cylinders, LaneList<2>& spheres) {
+void findSymmetric(const Ballot& b, const CurvedPairs& pairs, LaneList<4>& cylinders, LaneList<2>& spheres) {
   const Vector& t = b.reference.tangent_y;
   const Vector& u = b.reference.tangent_z;
   const float bins = static_cast<float>(b.accumulators.radius_bins);
@@ -161,11 +184,11 @@ void addTogether(const VoteList<4>& cone_votes, const VoteList<2>& cylinder_vote
   spheres.finish();
 }
 
-void voteCurved(const Ballot& b, LaneList<10>& pairs, CurvedBins& bins) {
+void voteCurved(const Ballot& b, LaneList<6>& selected, CurvedBins& bins) {
+  const CurvedPairs pairs(b.reference.sample, selected);
   VoteList<4> cone_votes;
   VoteList<2> cylinder_votes;
   RowVoteList sphere_votes;
-  pairs.pad();
   if (b.rules.cones) spreadCones(b, pairs, cone_votes);
   if (b.rules.cylinders || b.rules.spheres) {
     LaneList<4> cylinders;
@@ -175,7 +198,7 @@ void voteCurved(const Ballot& b, LaneList<10>& pairs, CurvedBins& bins) {
     if (b.rules.spheres) spreadSpheres(b, spheres, sphere_votes);
   }
   addTogether(cone_votes, cylinder_votes, sphere_votes, b.accumulators.radius_stride, bins);
-  pairs.clear();
+  selected.clear();
 }
 
 /// Empties the lists of selected pairs.
