@@ -284,8 +284,8 @@ TEST_F(DetectProgram, UsesTheKernelThatTheEnvironmentNames) {
 TEST_F(DetectProgram, ExplainsItself) {
   EXPECT_EQ(run("--help"), 0);
   EXPECT_EQ(err, "");
-  for (const char* word : {"FILE", "--json", "--labels", "--picture", "--intrinsics", "--repeat", "--max_depth",
-                           "--samples", "--kernels"}) {
+  for (const char* word : {"FILE", "--json", "--labels", "--picture", "--intrinsics", "--sensor", "--repeat",
+                           "--max_depth", "--samples", "--kernels"}) {
     EXPECT_NE(out.find(word), std::string::npos) << word;
   }
   EXPECT_EQ(out.find("target_frame"), std::string::npos);

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions about units, frames and intrinsics.
+#include "tools/notes.h"
+
+#include <algorithm>
+
+#include "tools/format.h"
+
+namespace primitect::tools {
+namespace {
+
+std::string unitsText(const Detections& found) {
+  constexpr double kMillimetres = 100.0;  // m; no depth camera sees so far
+  if (found.scene_diameter <= kMillimetres) return "";
+  return "  note: lengths are taken for metres; are they millimetres?\n";
+}
+
+double shareBehind(const Cloud& cloud) { return cloud.behind_count / std::max<double>(1.0, cloud.valid_count); }
+
+/// Clouds of robots and maps have their table or floor through the origin.
+std::string otherFrameText(const Detections& found, const DetectInput& input) {
+  constexpr double kStrays = 0.01;
+  const double share = shareBehind(input.seen());
+  std::string what = "the points were not seen from the sensor";
+  if (share > kStrays) {
+    what = format("%.0f %% of the points lie behind the sensor (z <= 0)", 100.0 * share);
+  } else if (found.seen_from_origin) {
+    return "";
+  }
+  if (input.sensor) {
+    return "  note: " + what +
+           "; is --sensor the pose of the camera's optical frame (z ahead, x right, y down) in the frame of the "
+           "file?\n";
+  }
+  return "  note: " + what +
+         ", which is taken to be at the origin and to look along z; is the cloud in the frame of the camera? If not, "
+         "--sensor says where the camera was\n";
+}
+
+/// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
+std::string intrinsicsText(const io::PointFile& read) {
+  if (!read.intrinsics) return "";
+  const double right = read.intrinsics->cx / read.cloud.width, down = read.intrinsics->cy / read.cloud.height;
+  const auto central = [](double share) { return 0.25 <= share && share <= 0.75; };
+  if (central(right) && central(down)) return "";
+  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy?\n",
+                read.intrinsics->cx, read.intrinsics->cy);
+}
+
+}  // namespace
+
+std::string notesText(const Detections& found, const DetectInput& input) {
+  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input);
+}
+
+}  // namespace primitect::tools
