@@ -18,6 +18,24 @@ std::string unitsText(const Detections& found) {
 
 double shareBehind(const Cloud& cloud) { return cloud.behind_count / std::max<double>(1.0, cloud.valid_count); }
 
+std::uint32_t countBehind(const io::SensorPose& sensor, Cloud points) {
+  points.move(sensor.pointsFromSensor().inverse(), DepthRange());
+  return points.behind_count;
+}
+
+/// As PCL means it, or where that puts more points behind the sensor, as those write it whose x looks ahead.
+io::SensorPose sensorAt(const io::SensorPose& viewpoint, const Cloud& points) {
+  const Eigen::Quaterniond body_from_optical(0.5, -0.5, 0.5, -0.5);  // REP 103: x ahead, z up
+  const io::SensorPose turned = {viewpoint.position, viewpoint.orientation * body_from_optical};
+  return countBehind(viewpoint, points) <= countBehind(turned, points) ? viewpoint : turned;
+}
+
+std::string sensorAdvice(const io::PointFile& file) {
+  if (!file.viewpoint) return "If not, --sensor says where the camera was";
+  return "If not, the VIEWPOINT of the file may say where the camera was: try --sensor \"" +
+         io::sensorPoseText(sensorAt(*file.viewpoint, file.cloud)) + "\"";
+}
+
 /// Clouds of robots and maps have their table or floor through the origin.
 std::string otherFrameText(const Detections& found, const DetectInput& input) {
   constexpr double kStrays = 0.01;
@@ -34,8 +52,8 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
            "file?\n";
   }
   return "  note: " + what +
-         ", which is taken to be at the origin and to look along z; is the cloud in the frame of the camera? If not, "
-         "--sensor says where the camera was\n";
+         ", which is taken to be at the origin and to look along z; is the cloud in the frame of the camera? " +
+         sensorAdvice(input.file) + "\n";
 }
 
 /// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.

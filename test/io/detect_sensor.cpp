@@ -25,13 +25,15 @@ std::string poseText() {
   return primitect::io::sensorPoseText({kRobotFromCamera.translation(), Eigen::Quaterniond(kRobotFromCamera.linear())});
 }
 
+constexpr const char* kNoViewpoint = "0 0 0 1 0 0 0";
+
 /// The points of the image in another frame, as a PCD.
-std::string ballPcd(const Eigen::Isometry3d& frame_from_camera) {
+std::string ballPcd(const Eigen::Isometry3d& frame_from_camera, const std::string& viewpoint = kNoViewpoint) {
   const cv::Mat image = ballImage();
   std::ostringstream pcd;
   pcd.precision(9);
   pcd << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " << image.cols << "\nHEIGHT "
-      << image.rows << "\nPOINTS " << image.total() << "\nDATA ascii\n";
+      << image.rows << "\nVIEWPOINT " << viewpoint << "\nPOINTS " << image.total() << "\nDATA ascii\n";
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
       const double z = 0.001 * image.at<std::uint16_t>(v, u);
@@ -89,6 +91,49 @@ TEST_F(DetectSensor, WithoutItTheyAreNotSeenFromTheOrigin) {
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
   EXPECT_EQ(run(in_camera + sensor), 0);
   EXPECT_NE(out.find("is --sensor the pose of the camera's optical frame"), std::string::npos) << out;
+}
+
+/// In the order of a PCD.
+std::string viewpointText(const Eigen::Quaterniond& orientation) {
+  std::ostringstream text;
+  text << kRobotFromCamera.translation().transpose() << " " << orientation.w() << " " << orientation.vec().transpose();
+  return text.str();
+}
+
+TEST_F(DetectSensor, TakesWhatTheNoteAdvisesWhereAViewpointIsToldInEitherConvention) {
+  const Eigen::Quaterniond optical(kRobotFromCamera.linear());
+  Eigen::Matrix3d ahead_left_up;
+  ahead_left_up << kRobotFromCamera.linear().col(2), -kRobotFromCamera.linear().col(0),
+      -kRobotFromCamera.linear().col(1);
+  for (const Eigen::Quaterniond& orientation : {optical, Eigen::Quaterniond(ahead_left_up)}) {
+    const std::string file = write("viewpoint.pcd", ballPcd(kRobotFromCamera, viewpointText(orientation)));
+    EXPECT_EQ(run(file), 0);
+    const std::size_t begin = out.find("VIEWPOINT of the file may say where the camera was: try --sensor \"");
+    ASSERT_NE(begin, std::string::npos) << out;
+    const std::string advice =
+        out.substr(out.find("--sensor", begin), out.find('\n', begin) - out.find("--sensor", begin));
+    const Json found = runOrdered(file + " " + advice);
+    EXPECT_EQ(found["seen_from_origin"], true) << advice;
+    const Json expected = runOrdered(in_robot + sensor);
+    ASSERT_EQ(found["primitives"].size(), expected["primitives"].size()) << advice;
+    EXPECT_EQ(found["points_used"], expected["points_used"]) << advice;
+  }
+}
+
+TEST_F(DetectSensor, DoesNotUseAViewpointUnasked) {
+  const std::string viewpoint = viewpointText(Eigen::Quaterniond(kRobotFromCamera.linear()));
+  const std::string file = write("viewpoint.pcd", ballPcd(Eigen::Isometry3d::Identity(), viewpoint));
+  EXPECT_EQ(runOrdered(file)["primitives"], runOrdered(in_camera)["primitives"]);
+  EXPECT_EQ(run(file), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+}
+
+TEST_F(DetectSensor, AdvisesNoViewpointThatIsNone) {
+  for (const char* none : {kNoViewpoint, "0 0 0 2 0 0 0", "0 0 0 0 0 0 0", "1 2 nan 1 0 0 0"}) {
+    EXPECT_EQ(run(write("none.pcd", ballPcd(kRobotFromCamera, none))), 0) << err;
+    EXPECT_NE(out.find("--sensor says where"), std::string::npos) << out;
+    EXPECT_EQ(out.find("VIEWPOINT"), std::string::npos) << out;
+  }
 }
 
 TEST_F(DetectSensor, TurnsNormalsThatTheFileBrings) {
