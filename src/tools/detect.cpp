@@ -13,6 +13,7 @@
 #include "primitect/transforms.h"
 #include "tools/detect_input.h"
 #include "tools/detect_options.h"
+#include "tools/notes.h"
 #include "tools/output_target.h"
 #include "tools/result_text.h"
 #include "tools/stage_timing.h"
@@ -109,6 +110,7 @@ io::FileReport failure(const std::string& file, const std::string& cause) {
 
 int run(const tools::DetectOptions& options) {
   const Targets targets(options);
+  std::cerr << tools::ignoredFramesText(options);
   int exit_code = kOk;
   std::vector<io::FileReport> reports;
   Governor governor;

@@ -68,6 +68,17 @@ std::string intrinsicsText(const io::PointFile& read) {
 
 }  // namespace
 
+std::string ignoredFramesText(const DetectOptions& options) {
+  const Params params = options.params.asSaid();
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& frame, const std::string& advice) {
+    if (!frame.empty()) text += "detect: note: " + name + " '" + frame + "' is for the ROS node only; " + advice + "\n";
+  };
+  if (!options.sensor) add("sensor_frame", params.sensor_frame, "here --sensor says where the camera was");
+  add("target_frame", params.target_frame, "here results are in the frame of the file");
+  return text;
+}
+
 std::string notesText(const Detections& found, const DetectInput& input) {
   return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input);
 }

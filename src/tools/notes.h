@@ -10,6 +10,9 @@
 
 namespace primitect::tools {
 
+/// A line for each tf frame that parameters name: a program without tf does without. Empty where they name none.
+std::string ignoredFramesText(const DetectOptions& options);
+
 /// Lines that begin with "  note: "; empty where nothing is strange.
 std::string notesText(const Detections& found, const DetectInput& input);
 

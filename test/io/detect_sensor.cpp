@@ -178,6 +178,21 @@ TEST_F(DetectSensor, DrawsWhatTheCameraSaw) {
   EXPECT_LT(cv::norm(picture, expected, cv::NORM_L1) / static_cast<double>(picture.total()), 1.0);
 }
 
+TEST_F(DetectSensor, SaysThatFramesOfTheNodeAreNotUsed) {
+  const std::string yaml = write("node.yaml", "sensor_frame: camera\ntarget_frame: map\nmarker_alpha: 0.5\n");
+  const std::string params = " --params " + yaml;
+  EXPECT_EQ(runOrdered(ball + params)["primitives"], runOrdered(ball)["primitives"]);
+  EXPECT_EQ(run(ball + params), 0);
+  EXPECT_EQ(errorLines(), 2) << err;
+  EXPECT_NE(err.find("note: sensor_frame 'camera' is for the ROS node only; here --sensor"), std::string::npos) << err;
+  EXPECT_NE(err.find("note: target_frame 'map' is for the ROS node only"), std::string::npos) << err;
+  EXPECT_EQ(run(in_robot + sensor + params), 0);
+  EXPECT_EQ(errorLines(), 1) << "--sensor was given: " << err;
+  const std::string empty = write("empty.yaml", "sensor_frame: ''\ntarget_frame: ''\nmarker_alpha: 0.5\n");
+  EXPECT_EQ(run(ball + " --params " + empty), 0);
+  EXPECT_EQ(err, "");
+}
+
 TEST_F(DetectSensor, RefusesWhatIsNoPose) {
   for (const char* text : {"0 0 1.3", "0 0 1.3 0 0 0 0", "0 0 1.3 nan 0 0 1", "0 0 1.3 0 0 0 1 1", "", "forward"}) {
     expectUsageError(in_robot + " --sensor '" + text + "'", {"sensor", "X Y Z QX QY QZ QW"});
