@@ -33,18 +33,28 @@ std::string remarkText(const Detection& detection) {
   return text + (text.empty() ? "or a " : "; or a ") + kindName(*detection.rival);
 }
 
+/// Where a plane faces, where the axis of a cylinder or cone points.
+std::string directionText(const Detection& detection) {
+  if (kindOf(detection.shape) == Kind::sphere) return "-";
+  const auto rounded = [](double v) { return std::round(1000.0 * v) / 1000.0 + 0.0; };  // + 0: no "-0.000"
+  const Vec3 z = detection.extent.rotation.col(2).unaryExpr(rounded);
+  return format("%6.3f %6.3f %6.3f", z.x(), z.y(), z.z());
+}
+
 std::string headingText() {
-  return format("  %3s  %-16s  %-34s  %8s  %8s %8s %8s  %6s  %8s  %8s  %7s  %6s\n", "#", "kind", "size", "stddev",
-                "x (m)", "y", "z", "conf.", "coverage", "inliers", "votes", "rms");
+  return format("  %3s  %-16s  %-34s  %8s  %8s %8s %8s  %20s  %6s  %8s  %8s  %7s  %6s\n", "#", "kind", "size", "stddev",
+                "x (m)", "y", "z", "normal or axis x y z", "conf.", "coverage", "inliers", "votes", "rms");
 }
 
 std::string rowText(std::size_t number, const Detection& detection) {
   const Vec3& p = detection.extent.origin;
   const std::string rms = detection.rms_error < 0.0f ? "-" : format("%.1f mm", 1000.0 * detection.rms_error);
-  std::string row = format(
-      "  %3zu  %-16s  %-34s  %8s  %8.3f %8.3f %8.3f  %6s  %8s", number, io::kindText(detection).c_str(),
-      fullSize(detection).c_str(), orDash(io::deviationText(detection)).c_str(), p.x(), p.y(), p.z(),
-      orDash(io::percentText(detection.confidence)).c_str(), orDash(io::percentText(detection.coverage)).c_str());
+  std::string row =
+      format("  %3zu  %-16s  %-34s  %8s  %8.3f %8.3f %8.3f  %20s", number, io::kindText(detection).c_str(),
+             fullSize(detection).c_str(), orDash(io::deviationText(detection)).c_str(), p.x(), p.y(), p.z(),
+             directionText(detection).c_str());
+  row += format("  %6s  %8s", orDash(io::percentText(detection.confidence)).c_str(),
+                orDash(io::percentText(detection.coverage)).c_str());
   row += format("  %8u  %7.0f  %6s", detection.inlier_count, detection.votes, rms.c_str());
   const std::string remark = remarkText(detection);
   return row + (remark.empty() ? "" : "  " + remark) + "\n";

@@ -58,6 +58,16 @@ TEST_F(DetectProgram, PrintsHowSureItIsAndWhatItRefused) {
   EXPECT_NE(out.find(" unlikely\n"), std::string::npos) << out;
 }
 
+TEST_F(DetectProgram, PrintsWhereAPlaneFaces) {
+  EXPECT_EQ(run(ball), 0);
+  EXPECT_NE(out.find("  normal or axis x y z  "), std::string::npos) << out;
+  const auto rowOf = [&](const char* kind) {
+    return out.substr(out.find(kind), out.find('\n', out.find(kind)) - out.find(kind));
+  };
+  EXPECT_NE(rowOf("plane").find("   0.000  0.000 -1.000  "), std::string::npos) << out;
+  EXPECT_NE(rowOf("sphere").find("                     -  "), std::string::npos) << out;
+}
+
 TEST_F(DetectProgram, SaysWhyNothingWasFound) {
   const std::string none =
       write("none.ply",
