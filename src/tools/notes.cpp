@@ -56,6 +56,13 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
          sensorAdvice(input.file) + "\n";
 }
 
+std::string normalsText(const Detections& found) {
+  if (!found.normals_face_away) return "";
+  return "  note: most normals of the file face away from the sensor; if they are inward, what is seen from outside "
+         "passes "
+         "for hollow and is missed: try --orient_normals true. Or --sensor says where the camera was\n";
+}
+
 /// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
 std::string intrinsicsText(const io::PointFile& read) {
   if (!read.intrinsics) return "";
@@ -80,7 +87,7 @@ std::string ignoredFramesText(const DetectOptions& options) {
 }
 
 std::string notesText(const Detections& found, const DetectInput& input) {
-  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input);
+  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found);
 }
 
 }  // namespace primitect::tools
