@@ -9,6 +9,7 @@
 #include "eval/cut_out.h"
 #include "eval/tabletop_frames.h"
 #include "eval/variants.h"
+#include "primitect/transforms.h"
 #include "synthetic/mechanical_part.h"
 #include "synthetic/paper_dataset.h"
 #include "synthetic/small_scene.h"
@@ -94,7 +95,7 @@ void moveToRobotFrame(LabelledCloud& result) {
   const Eigen::Isometry3d robot_from_sensor = robotFromSensor();
   result.cloud.move(robot_from_sensor, DepthRange());
   result.scored.move(robot_from_sensor, DepthRange());
-  for (TrueShape& truth : result.truth) truth.shape = synthetic::transformed(robot_from_sensor, truth.shape);
+  for (TrueShape& truth : result.truth) truth.shape = transformed(robot_from_sensor, truth.shape);
 }
 
 LabelledCloud withoutVariants(const Recipe& recipe) {

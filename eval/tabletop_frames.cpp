@@ -9,6 +9,7 @@
 
 #include "eval/cloud_vectors.h"
 #include "eval/measured_normals.h"
+#include "primitect/transforms.h"
 #include "synthetic/clutter.h"
 #include "synthetic/frame.h"
 
@@ -128,7 +129,7 @@ Cloud exactPoints(const View& view, const Cloud& cloud) {
 Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
   std::vector<Shape> shapes;
   for (const synthetic::Surface& surface : view.world.surfaces()) {
-    shapes.push_back(synthetic::transformed(view.world_from_camera.inverse(), surface.shape));
+    shapes.push_back(transformed(view.world_from_camera.inverse(), surface.shape));
   }
   Cloud scored = exactPoints(view, cloud);
   clearNormals(scored);

@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "eval/nees.h"
 #include "primitect/detector.h"
+#include "primitect/transforms.h"
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 
@@ -37,7 +38,7 @@ struct SetTable {
     world.add("cup", synthetic::Cup{width, width - 0.004, half_length, 0.005}, standing(1.0, half_length));
     const Eigen::Isometry3d pose = synthetic::cameraPose(random.uniform(0.0, 60.0));
     const auto shapeOf = [&](std::size_t surface) {
-      return synthetic::transformed(pose.inverse(), world.surfaces()[surface].shape);
+      return transformed(pose.inverse(), world.surfaces()[surface].shape);
     };
     table = shapeOf(0), ball = shapeOf(1), cup = shapeOf(2);
     const synthetic::PinholeCamera camera;

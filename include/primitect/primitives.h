@@ -154,6 +154,9 @@ struct Detections {
   /// False: the points are not those of a sensor at the origin that looks along z, as is assumed. Then the image cannot
   /// be used, and normals may be turned to the wrong side. Of lists with normals only points behind the sensor tell.
   bool seen_from_origin = true;
+  /// Most normals that the cloud brought, and that were kept as they are, face away from the sensor at the origin:
+  /// what is convex then passes for concave.
+  bool normals_face_away = false;
   Refusals refusals;
 };
 

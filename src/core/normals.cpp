@@ -144,4 +144,15 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
   fitNeighborhoods(cloud, count, *source.neighbors, samples);
 }
 
+bool mostFaceAway(const Samples& samples) {
+  constexpr double kMost = 0.75;
+  double normals = 0.0, away = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples.hasNormal(i)) continue;
+    normals += 1.0;
+    away += samples.normal(i).dot(samples.point(i)) > 0.0 ? 1.0 : 0.0;
+  }
+  return normals > 0.0 && away >= kMost * normals;
+}
+
 }  // namespace primitect

@@ -45,6 +45,9 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 /// of those that the cloud brings. Where none can be had it stays missing, and that sample does not vote.
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
 
+/// Three quarters of the normals or more: of whole objects, seen through, little more than half do.
+bool mostFaceAway(const Samples& samples);
+
 /// Normal of the plane through the points (least squares), sign not known; nothing when they do not span a plane.
 std::optional<Vec3> planeNormal(const Cloud& cloud, const List<std::uint32_t>& points);
 

@@ -163,6 +163,9 @@ bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {
   if (round == 0) measureScale();
   if (result.status != Status::ok || samples.size() < kFewestPoints) return false;
   estimateNormals(cloud, params, normal_source, samples);
+  const bool kept = brings_normals && !params.orient_normals;
+  // Around a model at the origin all normals face away.
+  if (round == 0) result.normals_face_away = kept && result.seen_from_origin && mostFaceAway(samples);
   done("normals");
   return true;
 }

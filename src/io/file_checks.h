@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "io/sensor_pose.h"
 
 namespace primitect::io {
 
@@ -28,8 +31,12 @@ FileHead readFileHead(const std::string& path);
 /// more than the file holds.
 std::uint64_t checkPcdHead(const std::string& path, const FileHead& head);
 
-/// The same for a PLY. Also refuses what PCL's reader gets wrong or crashes on: properties named twice, colours that
-/// are not consecutive, a range grid that is not num_cols * num_rows.
+/// What a checked head says of the sensor, as PCL means it; nothing where that is the identity or no pose. Writers do
+/// not agree: some have x ahead, some tell a pose in a frame that is not that of the points.
+std::optional<SensorPose> pcdViewpoint(const std::string& path, const FileHead& head);
+
+/// The number of points that a PLY claims; throws as that of a PCD. Also refuses what PCL's reader gets wrong or
+/// crashes on: properties named twice, colours that are not consecutive, a range grid that is not num_cols * num_rows.
 std::uint64_t checkPlyHead(const std::string& path, const FileHead& head);
 
 /// Lines of numbers that a text body must have; 0: any.

@@ -156,4 +156,19 @@ std::uint64_t checkPcdHead(const std::string& path, const FileHead& head) {
   return points;
 }
 
+std::optional<SensorPose> pcdViewpoint(const std::string& path, const FileHead& head) {
+  const PcdHeader header = parseHeader(path, head.bytes);
+  const auto line = header.lines.find("VIEWPOINT");
+  if (line == header.lines.end() || line->second.size() != 7) return std::nullopt;
+  const Words& w = line->second;  // tx ty tz qw qx qy qz
+  try {
+    const SensorPose pose =
+        parseSensorPose(w[0] + " " + w[1] + " " + w[2] + " " + w[4] + " " + w[5] + " " + w[6] + " " + w[3]);
+    if (pose.pointsFromSensor().isApprox(Eigen::Isometry3d::Identity(), 1e-6)) return std::nullopt;
+    return pose;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace primitect::io

@@ -128,6 +128,7 @@ PointFile readPointFile(const std::string& path, const DepthImageOptions& option
   } else if (extension == ".pcd") {
     const std::uint64_t points = checkPcdHead(path, head);
     if (points > 0) file.cloud = convert(path, readWithPcl<pcl::PCDReader>(path, "PCD", points));
+    file.viewpoint = pcdViewpoint(path, head);
   } else if (extension == ".ply") {
     const std::uint64_t points = checkPlyHead(path, head);
     if (points > 0) file.cloud = convert(path, readWithPcl<pcl::PLYReader>(path, "PLY", points));

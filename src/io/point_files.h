@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/intrinsics.h"
+#include "io/sensor_pose.h"
 #include "primitect/cloud.h"
 
 namespace primitect::io {
@@ -21,10 +22,11 @@ struct DepthImageOptions {
 struct PointFile {
   Cloud cloud;
   std::optional<Intrinsics> intrinsics;  ///< of a depth image
+  std::optional<SensorPose> viewpoint;   ///< of a PCD that tells one, other than the identity; not applied
 };
 
 /// Reads .pcd, .ply (ascii, binary; float32 or float64 x y z in any order; normal_x, normal_y, normal_z, in a PLY nx,
-/// ny, nz, if there) or .png. Organized PCDs and range grids keep width and height; a viewpoint is not applied. Throws
+/// ny, nz, if there) or .png. Organized PCDs and range grids keep width and height. Throws
 /// std::runtime_error, one line naming file and cause, for whatever is not such a file.
 PointFile readPointFile(const std::string& path, const DepthImageOptions& options = {});
 

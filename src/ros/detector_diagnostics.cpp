@@ -40,10 +40,10 @@ void DetectorDiagnostics::frameReceived() {
   last_frame_ = SteadyClock::now();
 }
 
-void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, bool seen_from_origin,
+void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameDoubts& doubts,
                                     const std::string& error) {
   counters_.count(message, refusals);
-  seen_from_origin_ = seen_from_origin;
+  doubts_ = doubts;
   last_error_ = error;
 }
 
@@ -64,7 +64,7 @@ void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, cons
 
 void DetectorDiagnostics::startAnew() {
   counters_ = FrameCounters();
-  seen_from_origin_ = true;
+  doubts_ = FrameDoubts();
   last_error_.clear();
 }
 
@@ -77,8 +77,11 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
   } else if (silent()) {
     status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", secondsSince(last_frame_));
-  } else if (!seen_from_origin_) {
-    status.summary(DiagnosticStatus::WARN, "clouds are not seen from the origin of their frame: is sensor_frame right?");
+  } else if (doubts_.seen_from_elsewhere) {
+    status.summary(DiagnosticStatus::WARN,
+                   "clouds are not seen from the origin of their frame: is sensor_frame right?");
+  } else if (doubts_.normals_face_away) {
+    status.summary(DiagnosticStatus::WARN, "most normals of the clouds face away from the sensor: set orient_normals");
   } else {
     status.summary(DiagnosticStatus::OK, "receiving");
   }
@@ -90,7 +93,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("failed", counters_.failed);
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
-  status.add("seen from the origin", seen_from_origin_ ? "yes" : "no");
+  status.add("seen from the origin", doubts_.seen_from_elsewhere ? "no" : "yes");
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

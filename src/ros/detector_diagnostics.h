@@ -33,6 +33,12 @@ struct FrameCounters {
   void count(const PrimitiveArray& message, const Refusals& refusals);
 };
 
+/// What contradicts that a sensor at the origin saw the last cloud, with normals towards it.
+struct FrameDoubts {
+  bool seen_from_elsewhere = false;
+  bool normals_face_away = false;
+};
+
 class DetectorDiagnostics {
  public:
   /// name: the node's or nodelet's full name.
@@ -40,7 +46,7 @@ class DetectorDiagnostics {
 
   void frameReceived();
   /// error: why the cloud was refused, or empty.
-  void frameDone(const PrimitiveArray& message, const Refusals& refusals, bool seen_from_origin,
+  void frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameDoubts& doubts,
                  const std::string& error);
   void frameFailed(const std::string& error);
 
@@ -63,7 +69,7 @@ class DetectorDiagnostics {
 
   FrameCounters counters_;
   std::string last_error_;
-  bool seen_from_origin_ = true;  ///< the last cloud
+  FrameDoubts doubts_;
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs

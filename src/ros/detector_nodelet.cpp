@@ -113,7 +113,8 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   track(message);
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
-  diagnostics_->frameDone(message, pipeline_->refusals(), pipeline_->seenFromOrigin(), problem);
+  const FrameDoubts doubts = {!pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway()};
+  diagnostics_->frameDone(message, pipeline_->refusals(), doubts, problem);
   publish(message);
   pipeline_->published();
   warnIfHopeless();

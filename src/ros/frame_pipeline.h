@@ -61,6 +61,9 @@ class FramePipeline {
   /// False: its points contradict that a sensor at the origin saw them.
   bool seenFromOrigin() const { return !has_cloud_ || detector_.result().seen_from_origin; }
 
+  /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.
+  bool normalsFaceAway() const { return has_cloud_ && detector_.result().normals_face_away; }
+
   /// Of the last cloud, if there is one, where the sensor is at the origin.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry_messages.h"
+#include "primitect/transforms.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -104,17 +105,6 @@ Detection fromMessage(const Primitive& message) {
   return detection;
 }
 
-using Covariance = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-
-void rotateCovariance(const Eigen::Matrix3d& rotation, boost::array<double, 36>& values) {
-  if (values[0] < 0.0) return;  // unknown
-  Covariance both = Covariance::Zero();
-  both.topLeftCorner<3, 3>() = rotation;
-  both.bottomRightCorner<3, 3>() = rotation;
-  Eigen::Map<Covariance> covariance(values.data());
-  covariance = (both * covariance * both.transpose()).eval();
-}
-
 /// All but the memory of the outline.
 void clear(Primitive& message) {
   Primitive::_hull_type hull = std::move(message.hull);
@@ -201,7 +191,7 @@ void transformPrimitives(const Eigen::Isometry3d& target_from_source, PrimitiveA
     geometry_msgs::Pose& pose = primitive.pose.pose;
     pose.position = pointMessage(target_from_source * toVec3(pose.position));
     pose.orientation = quaternionMessage(target_from_source.rotation() * toRotation(pose.orientation));
-    rotateCovariance(target_from_source.rotation(), primitive.pose.covariance);
+    turnCovariance(target_from_source.rotation(), primitive.pose.covariance.data());
     if (primitive.type == Primitive::CONE) primitive.apex = pointMessage(target_from_source * toVec3(primitive.apex));
     for (geometry_msgs::Point32& p : primitive.hull) p = point32Message(target_from_source * toVec3(p));
   }

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "core/random.h"
+#include "primitect/transforms.h"
 #include "synthetic/csg.h"
 #include "synthetic/part_designs.h"
 #include "synthetic/pca_normals.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "primitect/transforms.h"
 #include "synthetic/outline.h"
 
 namespace primitect::synthetic {

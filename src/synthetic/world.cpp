@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "primitect/transforms.h"
 #include "synthetic/solid_limits.h"
 
 namespace primitect::synthetic {
@@ -127,17 +128,6 @@ Parts partsOf(const Limbs& limbs) {
   return parts;
 }
 
-struct Transform {
-  const Eigen::Isometry3d& target_from_source;
-
-  Vec3 turn(const Vec3& direction) const { return target_from_source.linear() * direction; }
-
-  Shape operator()(const Plane& p) const { return Plane{target_from_source * p.point, turn(p.normal)}; }
-  Shape operator()(const Sphere& s) const { return Sphere{target_from_source * s.center, s.radius}; }
-  Shape operator()(const Cylinder& c) const { return Cylinder{target_from_source * c.point, turn(c.axis), c.radius}; }
-  Shape operator()(const Cone& c) const { return Cone{target_from_source * c.apex, turn(c.axis), c.half_angle}; }
-};
-
 }  // namespace
 
 double Pot::innerApex() const { return wall / std::sin(half_angle); }
@@ -146,10 +136,6 @@ double Lump::reach(const Vec3& d) const {
   const double waves = std::sin(frequency * d.x() + phase) + std::sin(frequency * d.y() + 2.0 * phase) +
                        std::sin(frequency * d.z() + 3.0 * phase);
   return radius * (1.0 + bump * waves / 3.0);
-}
-
-Shape transformed(const Eigen::Isometry3d& target_from_source, const Shape& shape) {
-  return std::visit(Transform{target_from_source}, shape);
 }
 
 int World::add(const std::string& name, const Solid& solid, const Eigen::Isometry3d& world_from_body) {

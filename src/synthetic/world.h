@@ -100,9 +100,6 @@ struct Surface {
   bool primitive = true;  ///< false: a surface that is none of the four kinds
 };
 
-/// The same shape in another frame.
-Shape transformed(const Eigen::Isometry3d& target_from_source, const Shape& shape);
-
 /// Bodies and their surfaces; the index of a surface is its label in rendered images.
 class World {
  public:

@@ -10,7 +10,10 @@
 #include "io/label_file.h"
 #include "io/picture.h"
 #include "io/report.h"
+#include "primitect/transforms.h"
+#include "tools/detect_input.h"
 #include "tools/detect_options.h"
+#include "tools/notes.h"
 #include "tools/output_target.h"
 #include "tools/result_text.h"
 #include "tools/stage_timing.h"
@@ -34,29 +37,10 @@ struct Targets {
   }
 };
 
-/// A file's points as they are, and as the detector gets them.
-struct Input {
-  io::PointFile file;
-  primitect::Params params;
-  primitect::DepthRange range;
-  primitect::Cloud cloud;
-};
-
-Input readInput(const tools::DetectOptions& options, const std::string& path) {
-  Input input;
-  input.file = io::readPointFile(path, options.depth_image);
-  const primitect::Cloud& points = input.file.cloud;
-  input.params = options.params.paramsFor(points.organized() || input.file.intrinsics, points.hasNormals());
-  input.range = {static_cast<float>(input.params.min_depth), static_cast<float>(input.params.max_depth)};
-  io::cutAtDepth(points, input.range, input.cloud);
-  if (!input.params.use_cloud_normals) input.cloud.dropNormals();
-  return input;
-}
-
 /// All runs of one call are frames in a row, of one sensor and one machine.
 using Governor = std::optional<primitect::LatencyGovernor>;
 
-void runDetector(primitect::Detector& detector, const Input& input, int repeats, Governor& governor,
+void runDetector(primitect::Detector& detector, const tools::DetectInput& input, int repeats, Governor& governor,
                  io::FileReport& report) {
   std::vector<io::Timing> runs;
   for (int i = 0; i < repeats; ++i) {
@@ -72,16 +56,18 @@ void runDetector(primitect::Detector& detector, const Input& input, int repeats,
   report.max_ms = summary.max_ms;
 }
 
+/// In the frame of the sensor: the picture is what it saw.
 void writePointOutputs(const Targets& targets, std::size_t index, const primitect::Detector& detector,
-                       const Input& input, const io::FileReport& report) {
+                       const tools::DetectInput& input, const io::FileReport& report) {
   if (!targets.labels.wanted() && !targets.picture.wanted()) return;
   std::vector<std::uint32_t> labels;
   detector.label(input.cloud, labels);
-  const primitect::Cloud& whole = input.file.cloud;
-  if (targets.labels.wanted()) io::writeLabels(targets.labels.path(index), whole, report.detections, labels);
+  if (targets.labels.wanted()) {
+    io::writeLabels(targets.labels.path(index), input.file.cloud, report.detections, labels);
+  }
   if (!targets.picture.wanted()) return;
   const std::string title = std::filesystem::path(report.file).filename().string();
-  const io::LabelledPoints points{whole, input.range, labels, report.detections};
+  const io::LabelledPoints points{input.seen(), input.range, labels, report.detections};
   io::writePicture(targets.picture.path(index), io::drawPicture(points, input.file.intrinsics, title));
 }
 
@@ -90,15 +76,16 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   io::FileReport report;
   report.file = options.files[index];
   tools::Stopwatch reading;
-  const Input input = readInput(options, report.file);
+  const tools::DetectInput input = tools::readInput(options, report.file);
   report.timing_ms.emplace_back("read", reading.lapMs());
   primitect::Detector detector(input.params);
   const double bound = input.params.max_latency;
   if (bound > 0.0 && !governor) governor.emplace(bound, primitect::leastShare(input.params));
   runDetector(detector, input, options.repeats, governor, report);
   writePointOutputs(targets, index, detector, input, report);
+  if (input.sensor) primitect::transformDetections(input.sensor->pointsFromSensor(), report.detections);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
-  if (!targets.json.toStdout()) std::cout << tools::resultText(report, input.file, input.range) << std::flush;
+  if (!targets.json.toStdout()) std::cout << tools::resultText(report, input) << std::flush;
   return report;
 }
 
@@ -123,6 +110,7 @@ io::FileReport failure(const std::string& file, const std::string& cause) {
 
 int run(const tools::DetectOptions& options) {
   const Targets targets(options);
+  std::cerr << tools::ignoredFramesText(options);
   int exit_code = kOk;
   std::vector<io::FileReport> reports;
   Governor governor;

@@ -38,7 +38,7 @@ constexpr const char* kFooter =
 
 /// Raw texts, checked after parsing so that the messages name parameter, value and range.
 struct RawOptions {
-  std::string intrinsics, depth_scale, preset, params, repeats;
+  std::string intrinsics, depth_scale, sensor, preset, params, repeats;
   std::map<std::string, std::string> values;
   bool print_params = false;
   bool print_kernels = false;
@@ -58,6 +58,11 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
   app.add_option("--picture", options.picture, "write a picture with outlines and names as PNG")->type_name("FILE|DIR");
   app.add_option("--intrinsics", raw.intrinsics, "of depth images, in pixels")->type_name("fx,fy,cx,cy");
   app.add_option("--depth-scale", raw.depth_scale, "metres per unit of depth images (0.001)")->type_name("M");
+  app.add_option("--sensor", raw.sensor,
+                 "where the camera was, for points in another frame than its own (a robot's, a map): position (m) and "
+                 "orientation of its optical frame (z ahead, x right, y down) in the frame of the file, as tf_echo "
+                 "prints them; results are in the frame of the file")
+      ->type_name("\"X Y Z QX QY QZ QW\"");
   app.add_option("--preset", raw.preset, "parameters to start from: " + presetList())->type_name("NAME");
   app.add_option("--params", raw.params, "YAML file with a preset and parameters")->type_name("YAML");
   app.add_option("--repeat", raw.repeats, "detect N times in the same points: min, median, max of every stage")
@@ -117,6 +122,7 @@ void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& 
   if (app.count("--depth-scale")) {
     options.depth_image.depth_scale = positiveNumber("--depth-scale", raw.depth_scale, " m per unit");
   }
+  if (app.count("--sensor")) options.sensor = io::parseSensorPose(raw.sensor);
   if (app.count("--repeat")) options.repeats = repeatCount(raw.repeats);
   for (const char* output : {"--json", "--labels", "--picture"}) {
     if (app.count(output) && app.get_option(output)->as<std::string>().empty()) {
@@ -131,8 +137,12 @@ void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& 
 void checkFiles(const DetectOptions& options) {
   if (options.files.empty()) throw std::invalid_argument("no FILE given (see --help)");
   for (const std::string& file : options.files) {
-    if (io::isDepthImage(file) && !options.depth_image.intrinsics) {
+    if (!io::isDepthImage(file)) continue;
+    if (!options.depth_image.intrinsics) {
       throw std::invalid_argument(file + ": a depth image needs --intrinsics fx,fy,cx,cy");
+    }
+    if (options.sensor) {
+      throw std::invalid_argument("--sensor: " + file + " is a depth image, its points are in the frame of the camera");
     }
   }
   if (options.depth_image.intrinsics && std::none_of(options.files.begin(), options.files.end(), io::isDepthImage)) {

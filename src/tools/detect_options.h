@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/point_files.h"
+#include "io/sensor_pose.h"
 #include "tools/param_layers.h"
 
 namespace primitect::tools {
@@ -16,6 +17,7 @@ struct DetectOptions {
   std::vector<std::string> files;
   std::string json, labels, picture;  ///< file or directory; empty: not wanted
   io::DepthImageOptions depth_image;
+  std::optional<io::SensorPose> sensor;  ///< in the frame of the files; none: at its origin
   ParamLayers params;
   int repeats = 1;
 };

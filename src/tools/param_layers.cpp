@@ -36,15 +36,17 @@ Params ParamLayers::paramsFor(bool camera_image, bool brings_normals) const {
   return params;
 }
 
+Params ParamLayers::asSaid() const {
+  Params params = presetParams(preset_);
+  for (const auto& [name, value] : values_) setParam(params, name, value);
+  return params;
+}
+
 std::string ParamLayers::asYaml() const {
   std::ostringstream yaml;
   yaml << paramsAsYaml(preset_);
   if (values_.empty()) return yaml.str();
-  const Params params = [this] {
-    Params all = presetParams(preset_);
-    for (const auto& [name, value] : values_) setParam(all, name, value);
-    return all;
-  }();
+  const Params params = asSaid();
   yaml << "\n# Set explicitly\n";
   for (const ParamInfo& info : paramTable()) {
     const auto same_name = [&](const auto& value) { return value.first == info.name; };

@@ -29,6 +29,9 @@ class ParamLayers {
   /// other.
   Params paramsFor(bool camera_image, bool brings_normals) const;
 
+  /// The preset and what the user said, whatever the file is; not checked as a whole.
+  Params asSaid() const;
+
   /// A YAML file that sets the same.
   std::string asYaml() const;
 

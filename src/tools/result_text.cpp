@@ -5,24 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "io/percent_text.h"
 #include "io/point_files.h"
 #include "io/shape_text.h"
+#include "tools/format.h"
+#include "tools/notes.h"
 
 namespace primitect::tools {
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text, sizeof(text), pattern, arguments);
-  va_end(arguments);
-  return text;
-}
 
 /// Size with the length of what was seen.
 std::string fullSize(const Detection& detection) {
@@ -42,18 +33,28 @@ std::string remarkText(const Detection& detection) {
   return text + (text.empty() ? "or a " : "; or a ") + kindName(*detection.rival);
 }
 
+/// Where a plane faces, where the axis of a cylinder or cone points.
+std::string directionText(const Detection& detection) {
+  if (kindOf(detection.shape) == Kind::sphere) return "-";
+  const auto rounded = [](double v) { return std::round(1000.0 * v) / 1000.0 + 0.0; };  // + 0: no "-0.000"
+  const Vec3 z = detection.extent.rotation.col(2).unaryExpr(rounded);
+  return format("%6.3f %6.3f %6.3f", z.x(), z.y(), z.z());
+}
+
 std::string headingText() {
-  return format("  %3s  %-16s  %-34s  %8s  %8s %8s %8s  %6s  %8s  %8s  %7s  %6s\n", "#", "kind", "size", "stddev",
-                "x (m)", "y", "z", "conf.", "coverage", "inliers", "votes", "rms");
+  return format("  %3s  %-16s  %-34s  %8s  %8s %8s %8s  %20s  %6s  %8s  %8s  %7s  %6s\n", "#", "kind", "size", "stddev",
+                "x (m)", "y", "z", "normal or axis x y z", "conf.", "coverage", "inliers", "votes", "rms");
 }
 
 std::string rowText(std::size_t number, const Detection& detection) {
   const Vec3& p = detection.extent.origin;
   const std::string rms = detection.rms_error < 0.0f ? "-" : format("%.1f mm", 1000.0 * detection.rms_error);
-  std::string row = format(
-      "  %3zu  %-16s  %-34s  %8s  %8.3f %8.3f %8.3f  %6s  %8s", number, io::kindText(detection).c_str(),
-      fullSize(detection).c_str(), orDash(io::deviationText(detection)).c_str(), p.x(), p.y(), p.z(),
-      orDash(io::percentText(detection.confidence)).c_str(), orDash(io::percentText(detection.coverage)).c_str());
+  std::string row =
+      format("  %3zu  %-16s  %-34s  %8s  %8.3f %8.3f %8.3f  %20s", number, io::kindText(detection).c_str(),
+             fullSize(detection).c_str(), orDash(io::deviationText(detection)).c_str(), p.x(), p.y(), p.z(),
+             directionText(detection).c_str());
+  row += format("  %6s  %8s", orDash(io::percentText(detection.confidence)).c_str(),
+                orDash(io::percentText(detection.coverage)).c_str());
   row += format("  %8u  %7.0f  %6s", detection.inlier_count, detection.votes, rms.c_str());
   const std::string remark = remarkText(detection);
   return row + (remark.empty() ? "" : "  " + remark) + "\n";
@@ -122,47 +123,16 @@ std::string emptyText(const io::FileReport& report, const Cloud& whole, const De
   return format("all %u measured points, %s, were ", cut, depthsText(whole).c_str()) + by + scale;
 }
 
-/// Clouds of robots and maps have their table or floor through the origin.
-std::string otherFrameText(const Cloud& whole, const Detections& found) {
-  constexpr double kStrays = 0.01;
-  const double share = whole.behind_count / std::max<double>(1.0, whole.valid_count);
-  std::string what;
-  if (share > kStrays) {
-    what = format("%.0f %% of the points lie behind the sensor (z <= 0), which is", 100.0 * share);
-  } else if (!found.seen_from_origin) {
-    what = "the points were not seen from the sensor, which is";
-  } else {
-    return "";
-  }
-  return "  note: " + what +
-         " taken to be at the origin and to look along z; is the cloud in the frame of the camera?\n";
-}
-
-/// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
-std::string intrinsicsText(const io::PointFile& read) {
-  if (!read.intrinsics) return "";
-  const double right = read.intrinsics->cx / read.cloud.width, down = read.intrinsics->cy / read.cloud.height;
-  const auto central = [](double share) { return 0.25 <= share && share <= 0.75; };
-  if (central(right) && central(down)) return "";
-  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy?\n",
-                read.intrinsics->cx, read.intrinsics->cy);
-}
-
 }  // namespace
 
-/// No depth camera sees so far (m).
-constexpr double kMillimetres = 100.0;
-
-std::string resultText(const io::FileReport& report, const io::PointFile& read, const DepthRange& range) {
-  const Cloud& whole = read.cloud;
+std::string resultText(const io::FileReport& report, const DetectInput& input) {
   const Detections& found = report.detections;
-  std::string text = report.file + ": " + sizeText(whole) + ", " +
+  std::string text = report.file + ": " + sizeText(input.cloud) + ", " +
                      format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
                             effortText(report).c_str(), found.scene_diameter);
-  if (found.scene_diameter > kMillimetres) text += "  note: lengths are taken for metres; are they millimetres?\n";
-  text += intrinsicsText(read) + otherFrameText(whole, found);
+  text += notesText(found, input);
   if (found.items.empty()) {
-    text += "  nothing found: " + emptyText(report, whole, range) + "\n";
+    text += "  nothing found: " + emptyText(report, input.seen(), input.range) + "\n";
   } else {
     text += headingText();
   }

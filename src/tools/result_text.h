@@ -5,14 +5,12 @@
 
 #include <string>
 
-#include "io/point_files.h"
 #include "io/report.h"
-#include "primitect/cloud.h"
+#include "tools/detect_input.h"
 
 namespace primitect::tools {
 
-/// The file, a table of its detections or the reason why there are none, and the times. `read`: what was read, `range`:
-/// what the detector got of it.
-std::string resultText(const io::FileReport& report, const io::PointFile& read, const DepthRange& range);
+/// The file, what is strange about it, a table of its detections or the reason why there are none, and the times.
+std::string resultText(const io::FileReport& report, const DetectInput& input);
 
 }  // namespace primitect::tools

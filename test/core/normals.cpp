@@ -11,6 +11,7 @@
 
 #include "core/projected_image.h"
 #include "core/sampling.h"
+#include "primitect/detector.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
@@ -199,6 +200,36 @@ TEST(CloudNormals, AreKeptOrTurnedTowardsTheSensor) {
   estimateNormals(cloud, params, source, samples);
   EXPECT_FLOAT_EQ(samples.nz[0], -1.0f);
   EXPECT_FLOAT_EQ(samples.nz[1], -1.0f);
+}
+
+/// Of a whole ball, seen through.
+std::vector<test::SurfacePoint> wholeBall(const Vec3& center) {
+  Random random(5);
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 4000; ++i) points.push_back(test::pointOn(Sphere{center, 0.2}, test::randomDirection(random)));
+  return points;
+}
+
+/// The side of a ball that a sensor at the origin sees.
+std::vector<test::SurfacePoint> frontOfBall(double sign_of_normals) {
+  Random random(5);
+  std::vector<test::SurfacePoint> points = patchOf(Sphere{Vec3::UnitZ(), 0.2}, 2000, random);
+  for (test::SurfacePoint& on : points) on.normal *= sign_of_normals;
+  return points;
+}
+
+bool detectorSaysTheyFaceAway(const std::vector<test::SurfacePoint>& points, bool orient_normals = false) {
+  Params params;
+  params.orient_normals = orient_normals;
+  return Detector(params).detect(test::cloudOf(points)).normals_face_away;
+}
+
+TEST(CloudNormals, ThatFaceAwayFromTheSensorAreTold) {
+  EXPECT_TRUE(detectorSaysTheyFaceAway(frontOfBall(-1.0)));
+  EXPECT_FALSE(detectorSaysTheyFaceAway(frontOfBall(1.0)));
+  EXPECT_FALSE(detectorSaysTheyFaceAway(frontOfBall(-1.0), true)) << "they are turned";
+  EXPECT_FALSE(detectorSaysTheyFaceAway(wholeBall(Vec3::UnitZ()))) << "only those of its far side";
+  EXPECT_FALSE(detectorSaysTheyFaceAway(wholeBall(Vec3::Zero()))) << "the origin is in it, not a sensor";
 }
 
 TEST(CloudNormals, ThatAreAllMissingAreEstimated) {

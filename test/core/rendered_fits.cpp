@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "primitect/transforms.h"
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 #include "test/support/fit_errors.h"
@@ -60,7 +61,7 @@ std::array<Means, kKindCount> fitFrames(std::size_t most_points) {
     for (std::size_t surface = 0; surface < world.surfaces().size(); ++surface) {
       const std::vector<Vec3> points = pointsOn(frame, cloud, static_cast<int>(surface), most_points);
       if (points.size() < 100) continue;
-      addFit(synthetic::transformed(pose.inverse(), world.surfaces()[surface].shape), points, means);
+      addFit(transformed(pose.inverse(), world.surfaces()[surface].shape), points, means);
     }
   }
   for (Means& m : means) {

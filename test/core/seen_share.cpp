@@ -11,6 +11,7 @@
 
 #include "core/extent.h"
 #include "core/random.h"
+#include "primitect/transforms.h"
 #include "synthetic/frame.h"
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop.h"
@@ -37,7 +38,7 @@ class Can : public testing::Test {
     for (std::size_t i = 0; i < cloud_.size(); ++i) {
       if (frame_.surface[i] == surface_ && cloud_.valid(i)) pixels_.push_back(static_cast<std::uint32_t>(i));
     }
-    can_.shape = synthetic::transformed(pose.inverse(), world_.surfaces()[static_cast<std::size_t>(surface_)].shape);
+    can_.shape = transformed(pose.inverse(), world_.surfaces()[static_cast<std::size_t>(surface_)].shape);
     std::vector<Vec3> points;
     for (const std::uint32_t i : pixels_) points.emplace_back(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
     can_.extent = measureExtent(can_.shape, points);

@@ -7,6 +7,7 @@
 
 #include "core/extent.h"
 #include "core/random.h"
+#include "primitect/transforms.h"
 #include "synthetic/frame.h"
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop.h"
@@ -49,7 +50,7 @@ struct View {
   }
 
   Shape shape(int surface) const {
-    return synthetic::transformed(pose.inverse(), world.surfaces()[static_cast<std::size_t>(surface)].shape);
+    return transformed(pose.inverse(), world.surfaces()[static_cast<std::size_t>(surface)].shape);
   }
 
   int truncationOf(int surface) const {

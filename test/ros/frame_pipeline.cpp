@@ -64,6 +64,29 @@ TEST(FramePipeline, SaysThatAllPointsAreInOnePlace) {
   EXPECT_EQ(problemOf(message, PrimitiveArray::TOO_FEW_POINTS), "all 25 measured points are in one place");
 }
 
+/// A wall at 1 m whose normals have this z.
+PointCloud2 withNormals(float normal_z) {
+  PointCloud2 message = test::gridCloud<float>(8, 5, {0, 4, 8}, 24, 0);
+  for (std::uint32_t i = 0; i < 40; ++i) test::put(message, i / 8, i % 8, 8, 1.0f);
+  const char* const names[] = {"normal_x", "normal_y", "normal_z"};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    message.fields.push_back(test::makeField(names[k], 12 + 4 * k, sensor_msgs::PointField::FLOAT32));
+    for (std::uint32_t i = 0; i < 40; ++i) test::put(message, i / 8, i % 8, 12 + 4 * k, k == 2 ? normal_z : 0.0f);
+  }
+  return message;
+}
+
+TEST(FramePipeline, TellsNormalsThatFaceAway) {
+  Params params;
+  params.orient_normals = false;
+  FramePipeline pipeline(params);
+  pipeline.times().begin();
+  pipeline.process(withNormals(1.0f));
+  EXPECT_TRUE(pipeline.normalsFaceAway());
+  pipeline.process(withNormals(-1.0f));
+  EXPECT_FALSE(pipeline.normalsFaceAway());
+}
+
 TEST(FramePipeline, ForgetsTheProblemOfTheCloudBefore) {
   FramePipeline pipeline{Params()};
   pipeline.times().begin();

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "primitect/transforms.h"
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions about units, frames and intrinsics.
+#include "tools/notes.h"
+
+#include <algorithm>
+
+#include "tools/format.h"
+
+namespace primitect::tools {
+namespace {
+
+std::string unitsText(const Detections& found) {
+  constexpr double kMillimetres = 100.0;  // m; no depth camera sees so far
+  if (found.scene_diameter <= kMillimetres) return "";
+  return "  note: lengths are taken for metres; are they millimetres?\n";
+}
+
+double shareBehind(const Cloud& cloud) { return cloud.behind_count / std::max<double>(1.0, cloud.valid_count); }
+
+std::uint32_t countBehind(const io::SensorPose& sensor, Cloud points) {
+  points.move(sensor.pointsFromSensor().inverse(), DepthRange());
+  return points.behind_count;
+}
+
+/// As PCL means it, or where that puts more points behind the sensor, as those write it whose x looks ahead.
+io::SensorPose sensorAt(const io::SensorPose& viewpoint, const Cloud& points) {
+  const Eigen::Quaterniond body_from_optical(0.5, -0.5, 0.5, -0.5);  // REP 103: x ahead, z up
+  const io::SensorPose turned = {viewpoint.position, viewpoint.orientation * body_from_optical};
+  return countBehind(viewpoint, points) <= countBehind(turned, points) ? viewpoint : turned;
+}
+
+std::string sensorAdvice(const io::PointFile& file) {
+  if (!file.viewpoint) return "If not, --sensor says where the camera was";
+  return "If not, the VIEWPOINT of the file may say where the camera was: try --sensor \"" +
+         io::sensorPoseText(sensorAt(*file.viewpoint, file.cloud)) + "\"";
+}
+
+/// Clouds of robots and maps have their table or floor through the origin.
+std::string otherFrameText(const Detections& found, const DetectInput& input) {
+  constexpr double kStrays = 0.01;
+  const double share = shareBehind(input.seen());
+  std::string what = "the points were not seen from the sensor";
+  if (share > kStrays) {
+    what = format("%.0f %% of the points lie behind the sensor (z <= 0)", 100.0 * share);
+  } else if (found.seen_from_origin) {
+    return "";
+  }
+  if (input.sensor) {
+    return "  note: " + what +
+           "; is --sensor the pose of the camera's optical frame (z ahead, x right, y down) in the frame of the "
+           "file?\n";
+  }
+  return "  note: " + what +
+         ", which is taken to be at the origin and to look along z; is the cloud in the frame of the camera? " +
+         sensorAdvice(input.file) + "\n";
+}
+
+std::string normalsText(const Detections& found) {
+  if (!found.normals_face_away) return "";
+  return "  note: most normals of the file face away from the sensor; if they are inward, what is seen from outside "
+         "passes "
+         "for hollow and is missed: try --orient_normals true. Or --sensor says where the camera was\n";
+}
+
+/// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
+std::string intrinsicsText(const io::PointFile& read) {
+  if (!read.intrinsics) return "";
+  const double right = read.intrinsics->cx / read.cloud.width, down = read.intrinsics->cy / read.cloud.height;
+  const auto central = [](double share) { return 0.25 <= share && share <= 0.75; };
+  if (central(right) && central(down)) return "";
+  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy?\n",
+                read.intrinsics->cx, read.intrinsics->cy);
+}
+
+}  // namespace
+
+std::string ignoredFramesText(const DetectOptions& options) {
+  const Params params = options.params.asSaid();
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& frame, const std::string& advice) {
+    if (!frame.empty()) text += "detect: note: " + name + " '" + frame + "' is for the ROS node only; " + advice + "\n";
+  };
+  if (!options.sensor) add("sensor_frame", params.sensor_frame, "here --sensor says where the camera was");
+  add("target_frame", params.target_frame, "here results are in the frame of the file");
+  return text;
+}
+
+std::string notesText(const Detections& found, const DetectInput& input) {
+  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found);
+}
+
+}  // namespace primitect::tools

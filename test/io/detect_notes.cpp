@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What the program `detect` asks where a file cannot be what it is taken for.
+#include <opencv2/imgcodecs.hpp>
+
+#include "detect_fixture.h"
+
+namespace {
+
+using primitect::test::ballImage;
+using primitect::test::ballPly;
+
+class DetectNotes : public primitect::test::DetectProgram {};
+
+/// A line of an ASCII PLY.
+std::string pointLine(double x, double y, double z) {
+  return std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+}
+
+TEST_F(DetectNotes, AskWhereUnitsOrFrameCannotBeRight) {
+  std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  std::string metres, millimetres, around_origin;
+  for (int i = 0; i < 400; ++i) {
+    const int column = i % 20, row = i / 20;
+    metres += pointLine(0.05 * column, 0.05 * row, 1.0);
+    millimetres += pointLine(50.0 * column, 50.0 * row, 1000.0);
+    around_origin += pointLine(0.05 * column, 0.05 * row, i % 8 == 0 ? -0.002 : 0.002);
+  }
+  EXPECT_EQ(run(write("metres.ply", header + metres)), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+  EXPECT_EQ(run(write("millimetres.ply", header + millimetres)), 0);
+  EXPECT_NE(out.find("note: lengths are taken for metres; are they millimetres?"), std::string::npos) << out;
+  EXPECT_EQ(run(write("table.ply", header + around_origin)), 0);
+  EXPECT_NE(out.find("note: 12 % of the points lie behind the sensor (z <= 0)"), std::string::npos) << out;
+  std::string hidden = metres;
+  for (int i = 0; i < 400; i += 2) hidden += pointLine(0.075 * (i % 20), 0.075 * (i / 20), 1.5);
+  header.replace(header.find("400"), 3, "600");
+  EXPECT_EQ(run(write("through.ply", header + hidden)), 0);
+  EXPECT_NE(out.find("note: the points were not seen from the sensor"), std::string::npos) << out;
+}
+
+TEST_F(DetectNotes, AskWhereTheOrderOfIntrinsicsCannotBeRight) {
+  cv::imwrite(path("image.png"), ballImage());
+  EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5"), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+  EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,159.5,262.5,119.5"), 0);  // as in a camera's matrix
+  EXPECT_NE(out.find("note: the principal point (262.5, 119.5) is far from the middle"), std::string::npos) << out;
+}
+
+TEST_F(DetectNotes, TellNormalsThatFaceAwayFromTheSensor) {
+  const std::string note = "note: most normals of the file face away from the sensor";
+  const std::string inward = write("inward.ply", ballPly(1.0, -1.0));
+  EXPECT_EQ(run(inward), 0);
+  EXPECT_NE(out.find(note), std::string::npos) << out;
+  for (const std::string& turned : {ball, inward + " --orient_normals true", inward + " --use_cloud_normals false"}) {
+    EXPECT_EQ(run(turned), 0);
+    EXPECT_EQ(out.find(note), std::string::npos) << out;
+  }
+}
+
+}  // namespace
