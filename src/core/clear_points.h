@@ -41,6 +41,11 @@ class ClearPoints {
   /// all of them where too few would be left.
   List<std::uint32_t> of(std::size_t detection, const List<std::uint32_t>& points) const;
 
+  /// Those of a detection's clear points that lie on the curved shape which was fitted to them, in an image of a depth
+  /// camera: without the border where it proves to be another surface's (false_border.h). All of them where these are
+  /// few, or too few would be left.
+  List<std::uint32_t> onSurface(std::size_t detection, const Shape& fit, const List<std::uint32_t>& clear) const;
+
  private:
   bool endsBeside(const Shape& shape, std::uint32_t point) const;
   bool inImage() const { return noise_.ofDepthCamera() && cloud_.organized(); }

@@ -3,6 +3,7 @@
 // Putting the measures of a detection together; see measurement.h.
 #include "core/measurement.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -43,13 +44,14 @@ Shape Measurement::unbiased(const Shape& fit) const {
   return limits_.hold(result) ? result : fit;
 }
 
-Shape Measurement::fitted(const Shape& shape) {
-  Shape start = shape;
-  if (kindOf(shape) == Kind::cylinder || kindOf(shape) == Kind::cone) {
-    // What tells one from the other grows with the length that was seen, of which clear points lack both ends.
-    fit_points_.gather(points_, noise_);
-    start = refineOnPoints(shape, fit_points_, limits_);
-  }
+/// What tells a cylinder from a cone grows with the length that was seen, of which clear points lack both ends.
+Shape Measurement::start(const Shape& shape) {
+  if (kindOf(shape) != Kind::cylinder && kindOf(shape) != Kind::cone) return shape;
+  fit_points_.gather(points_, noise_);
+  return refineOnPoints(shape, fit_points_, limits_);
+}
+
+Shape Measurement::fittedToClear(const Shape& start) {
   fit_points_.gather(clear_, noise_);
   const std::optional<Shape> refined = refine(start, fit_points_);
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
@@ -59,11 +61,41 @@ Shape Measurement::fitted(const Shape& shape) {
   return rmsDistance(last, points_) <= kWorse * rmsDistance(start, points_) ? last : start;
 }
 
-void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection) {
-  points_.gather(cloud_, labelled.index);
+double Measurement::trustInSizeOf(const Shape& fit) const {
+  const Extent extent = measureExtent(fit, points_, {});
+  const double shared = measureSharedNoise(fit, clear_, sigma_);
+  return trustInSize(fit, measureUncertainty(fit, extent, clear_, sigma_, shared));
+}
+
+/// What is no part of the surface stands out from a fit that it has bent only after some fits without the worst of it.
+/// Among clutter any fit gets better by leaving out what contradicts it: it earns no more trust by that.
+Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface,
+                                     const Shape& shape) {
+  constexpr int kTimes = 3;
   clear_.gather(cloud_, clear);
+  const Shape from = start(shape);
+  Fit fit = {fittedToClear(from), 1.0};
+  for (int time = 0; time < kTimes; ++time) {
+    const List<std::uint32_t> rest = on_surface(fit.shape, clear);
+    if (rest.size() == clear.size()) break;
+    if (time == 0) fit.most_trust = trustInSizeOf(fit.shape);
+    clear_.gather(cloud_, rest);
+    fit.shape = fittedToClear(from);
+  }
+  return fit;
+}
+
+void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection) {
+  measure(
+      labelled, clear, [](const Shape&, const List<std::uint32_t>& all) { return all; }, detection);
+}
+
+void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
+                          Detection& detection) {
+  points_.gather(cloud_, labelled.index);
   const Kind kind = kindOf(detection.shape);
-  detection.shape = canonical(fitted(detection.shape));
+  const Fit fit = fitted(clear, on_surface, detection.shape);
+  detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
   detection.extent = measureExtent(detection.shape, points_, std::move(detection.extent.hull));
@@ -75,7 +107,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
   const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
-  detection.confidence *= static_cast<float>(trustInSize(detection.shape, uncertainty));
+  detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
   }

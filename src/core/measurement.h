@@ -3,6 +3,9 @@
 // The final numbers of a detection, measured on the points of the cloud: fit, extent, covariance, what was not seen.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "core/competition.h"
 #include "core/dense_fit.h"
 #include "core/fit_points.h"
@@ -26,14 +29,29 @@ class Measurement {
   Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
               const Limits& limits);
 
+  /// Which of the clear points lie on the shape that was fitted to them.
+  using OnSurface = std::function<List<std::uint32_t>(const Shape& fit, const List<std::uint32_t>& clear)>;
+
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
   /// the fit. Where the surface is not seen although it should be (seen_share.h), its size is left open
   /// (determination.h) or it is a strip of something else (strip.h), confidence goes down.
+  void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
+               Detection& detection);
+
+  /// The same where all clear points lie on it.
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection);
 
  private:
+  struct Fit {
+    Shape shape;
+    double most_trust;  ///< in its size, see trustInSize()
+  };
+
   Shape unbiased(const Shape& fit) const;
-  Shape fitted(const Shape& shape);
+  Shape start(const Shape& shape);
+  Shape fittedToClear(const Shape& start);
+  double trustInSizeOf(const Shape& fit) const;
+  Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Shape& shape);
 
   const Cloud& cloud_;
   ImageRays rays_;

@@ -76,7 +76,8 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
       ++result.refusals[Refusal::few_inliers];
       continue;
     }
-    measurement.measure(points[k], clear.of(k, points[k].index), result.items[k]);
+    const auto on_surface = [&](const Shape& fit, const auto& all) { return clear.onSurface(k, fit, all); };
+    measurement.measure(points[k], clear.of(k, points[k].index), on_surface, result.items[k]);
     if (!within(k)) {
       ++result.refusals[Refusal::limits];
     } else if (!likely(k)) {

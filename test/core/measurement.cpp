@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 
 #include "primitect/detector.h"
@@ -181,6 +183,32 @@ TEST(Measurement, DoubtsAShapeWhoseSizeItsPointsLeaveOpen) {
   EXPECT_EQ(confidenceInCap(1.0, 0.08), 0.8f);
   // 400 points with noise of one radius in thirty, none farther than 17 deg around its middle.
   EXPECT_LT(confidenceInCap(0.3, 30.0 * kNoise), 0.4f);
+}
+
+TEST(Measurement, TrustsASizeNoMoreForLeavingOutWhatContradictsIt) {
+  Random random(47);
+  const Sphere ball = {Vec3(0, 0, 1), 30.0 * kNoise};
+  const Cloud cloud = test::cloudOf(measured(patchOf(ball, 4000, random), kNoise, 0.05, random));
+  List<std::uint32_t> all(4000), cap;
+  std::iota(all.begin(), all.end(), 0u);
+  const auto in_cap = [&cloud, &ball](std::uint32_t i) {
+    return Vec3(cloud.x[i], cloud.y[i], cloud.z[i] - 1.0f).head<2>().norm() < 0.3 * ball.radius;
+  };
+  std::copy_if(all.begin(), all.end(), std::back_inserter(cap), in_cap);
+  ASSERT_GT(cap.size(), 100u);
+  const auto confidence = [&](const List<std::uint32_t>& clear, const List<std::uint32_t>& rest) {
+    const Params params;
+    Detection detection;
+    detection.shape = ball;
+    detection.confidence = 0.8f;
+    const auto on_surface = [&rest](const Shape&, const List<std::uint32_t>&) { return rest; };
+    Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+        .measure({all, all.size()}, clear, on_surface, detection);
+    return detection.confidence;
+  };
+  const float of_all = confidence(all, all), of_cap = confidence(cap, cap);
+  ASSERT_LT(of_cap, 0.5f * of_all);
+  EXPECT_FLOAT_EQ(confidence(cap, all), of_cap);
 }
 
 /// How much of its confidence is left to a strip of 40 cm by 2 cm that runs into others all along its border.

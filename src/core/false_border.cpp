@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Mean distances of 3 x 3 pixels at the border; see false_border.h.
+#include "core/false_border.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/flat.h"
+#include "core/pixel_ring.h"
+#include "core/point_noise.h"
+#include "kernels/loops.h"
+
+namespace primitect {
+namespace {
+
+/// Points that are looked at together.
+constexpr std::size_t kAtOnce = 32;
+
+/// Pixels of a point: itself and those around it.
+constexpr std::size_t kAround = 9;
+
+using Way = std::array<float, 2>;
+
+/// Some points of the border, and all that have the label among the pixels around them.
+class Borders {
+ public:
+  Borders(const LabelledShape& where, const Shape& shape, const NoiseModel& noise)
+      : where_(where), shape_(flattened(shape, Vec3::Zero())), sigma_(flattened(noise, 1.0)) {}
+
+  bool full() const { return points_ == kAtOnce; }
+
+  /// out: across the border, along x and y.
+  void add(std::uint32_t point, const Way& out) {
+    const Cloud& image = where_.image;
+    point_[points_] = point, out_[points_] = out;
+    x_[points_] = image.x[point], y_[points_] = image.y[point], z_[points_] = image.z[point];
+    const auto column = static_cast<std::size_t>(point % image.width),
+               row = static_cast<std::size_t>(point / image.width);
+    for (std::size_t r = row > 0 ? row - 1 : 0; r <= std::min<std::size_t>(row + 1, image.height - 1); ++r) {
+      for (std::size_t c = column > 0 ? column - 1 : 0; c <= std::min<std::size_t>(column + 1, image.width - 1); ++c) {
+        const std::size_t at = r * image.width + c;
+        if (where_.labels[at] == where_.label) addAround(at);
+      }
+    }
+    end_[points_++] = around_;
+  }
+
+  /// Appends those that do not lie beside the shape, and forgets all.
+  void takeTrue(List<std::uint32_t>& taken) {
+    kernels::loops().distances(shape_, around_x_, around_y_, around_z_, around_, away_);
+    kernels::loops().feet(shape_, x_, y_, z_, points_, {foot_, nx_, ny_, nz_});
+    kernels::loops().tolerances(sigma_, z_, points_, noise_);
+    for (std::size_t k = 0, begin = 0; k < points_; begin = end_[k++]) {
+      if (turnsAway(k) || !isBeside(k, begin)) taken.push_back(point_[k]);
+    }
+    points_ = around_ = 0;
+  }
+
+ private:
+  void addAround(std::size_t at) {
+    const Cloud& image = where_.image;
+    around_x_[around_] = image.x[at], around_y_[around_] = image.y[at], around_z_[around_] = image.z[at];
+    ++around_;
+  }
+
+  /// On a surface n.p = const a step across the view is one ahead, too, by as much as it is along the normal.
+  bool turnsAway(std::size_t k) const { return !(nx_[k] * out_[k][0] + ny_[k] * out_[k][1] < 0.0f); }
+
+  /// Noise is along the rays: across a surface that is seen aslant there is less of it.
+  bool isBeside(std::size_t k, std::size_t begin) const {
+    // Measured where all of the border was asked: NEES of spheres is 1.06, with 3 it is 1.14, with 4 1.3.
+    constexpr float kDeviations = 2.5f, kLeastCosine = 0.1f;
+    const float length = std::sqrt(x_[k] * x_[k] + y_[k] * y_[k] + z_[k] * z_[k]);
+    const float cosine = std::fabs(nx_[k] * x_[k] + ny_[k] * y_[k] + nz_[k] * z_[k]) / length;
+    float sum = 0.0f;
+    for (std::size_t i = begin; i < end_[k]; ++i) sum += away_[i];
+    const auto count = static_cast<float>(end_[k] - begin);
+    return std::fabs(sum) > kDeviations * noise_[k] * std::max(cosine, kLeastCosine) * std::sqrt(count);
+  }
+
+  const LabelledShape& where_;
+  kernels::FlatShape shape_;
+  kernels::FlatTolerance sigma_;
+  std::size_t points_ = 0, around_ = 0;
+  std::uint32_t point_[kAtOnce];
+  Way out_[kAtOnce];
+  std::size_t end_[kAtOnce];  ///< of the pixels around each
+  float x_[kAtOnce], y_[kAtOnce], z_[kAtOnce], foot_[kAtOnce], nx_[kAtOnce], ny_[kAtOnce], nz_[kAtOnce];
+  float noise_[kAtOnce];  ///< m, standard deviation
+  float around_x_[kAround * kAtOnce], around_y_[kAround * kAtOnce], around_z_[kAround * kAtOnce];
+  float away_[kAround * kAtOnce];  ///< m, from the shape
+};
+
+}  // namespace
+
+List<std::uint32_t> withoutFalseBorder(const LabelledShape& where, const Shape& shape, const NoiseModel& noise,
+                                       const List<std::uint32_t>& points) {
+  const PixelRing near(where.near, where.image), far(where.far, where.image);
+  const std::uint32_t* const labels = where.labels.data();
+  Borders borders(where, shape, noise);
+  List<std::uint32_t> result;
+  result.reserve(points.size());
+  for (const std::uint32_t i : points) {
+    if (far.allHave(where.label, labels, i)) {
+      result.push_back(i);
+      continue;
+    }
+    const Way to_near = near.wayOut(where.label, labels, i), to_far = far.wayOut(where.label, labels, i);
+    borders.add(i, {to_near[0] + to_far[0], to_near[1] + to_far[1]});
+    if (borders.full()) borders.takeTrue(result);
+  }
+  borders.takeTrue(result);
+  return result;
+}
+
+}  // namespace primitect
