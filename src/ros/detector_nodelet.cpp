@@ -4,7 +4,6 @@
 #include "detector_nodelet.h"
 
 #include <ros/master.h>
-#include <tf2_eigen/tf2_eigen.h>
 
 #include <pluginlib/class_list_macros.hpp>
 
@@ -128,7 +127,7 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
-    sensor_from_cloud = tf2::transformToEigen(lookupLateTransform(*transforms_, sensor, source, cloud.header.stamp));
+    sensor_from_cloud = lookupLateTransform(*transforms_, sensor, source, cloud.header.stamp);
   } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
     return pipeline_->withoutTransform(cloud.header, "no transform " + from_to + ": " + error.what());
@@ -229,8 +228,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
   const bool something_to_move = message.status == PrimitiveArray::OK;
   if (something_to_move && frameName(target) != frameName(source)) {
     try {
-      target_from_source =
-          tf2::transformToEigen(lookupLateTransform(*transforms_, target, source, message.header.stamp));
+      target_from_source = lookupLateTransform(*transforms_, target, source, message.header.stamp);
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
       const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";
       problem = "no transform from '" + source + "' to " + name + target + "': " + error.what();

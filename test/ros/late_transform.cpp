@@ -7,6 +7,9 @@
 #include <tf2/exceptions.h>
 
 #include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "ros/steady_time.h"
@@ -36,7 +39,7 @@ TEST(LateTransform, IsTakenWhenItArrivesSoonAfterTheCloud) {
     transforms.setTransform(cameraAt(2.0, ros::Time(11, 0)), "test");
   });
   double x = 0.0;
-  EXPECT_NO_THROW(x = lookupLateTransform(transforms, "base", "camera", stamp).transform.translation.x);
+  EXPECT_NO_THROW(x = lookupLateTransform(transforms, "base", "camera", stamp).translation().x());
   listener.join();
   EXPECT_NEAR(x, 1.5, 1e-9);  // of the stamp, not the latest
 }
@@ -52,7 +55,56 @@ TEST(LateTransform, IsNotWaitedForInVainForLong) {
 TEST(LateTransform, DoesNotWaitWhenItIsThere) {
   tf2::BufferCore transforms;
   transforms.setTransform(cameraAt(3.0, ros::Time(10, 0)), "test");
-  EXPECT_EQ(lookupLateTransform(transforms, "base", "camera", ros::Time(10, 0)).transform.translation.x, 3.0);
+  EXPECT_EQ(lookupLateTransform(transforms, "base", "camera", ros::Time(10, 0)).translation().x(), 3.0);
+}
+
+/// About a slanted axis, with a quaternion this long.
+geometry_msgs::Transform turnedBy(double angle, double length) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d(1.0, 2.0, 2.0) / 3.0));
+  geometry_msgs::Transform transform;
+  transform.translation.y = 2.0;
+  transform.rotation.x = length * turn.x(), transform.rotation.y = length * turn.y();
+  transform.rotation.z = length * turn.z(), transform.rotation.w = length * turn.w();
+  return transform;
+}
+
+TEST(IsometryOf, AQuaternionOfAnyLengthIsItsRotation) {
+  for (const double length : {0.1, 0.995, 1.0, 1.005, 3.0}) {
+    const Eigen::Isometry3d isometry = isometryOf(turnedBy(0.7, length));
+    const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1.0, 2.0, 2.0) / 3.0);
+    EXPECT_LT((isometry.linear() - turn.toRotationMatrix()).norm(), 1e-12) << length;
+    EXPECT_EQ(isometry.translation(), Eigen::Vector3d(0.0, 2.0, 0.0));
+  }
+}
+
+std::string problemOf(const geometry_msgs::Transform& transform) try {
+  isometryOf(transform);
+  return "";
+} catch (const std::invalid_argument& error) {
+  return error.what();
+}
+
+TEST(IsometryOf, WhatIsNoRotationOrNoPlaceIsRefusedWithItsNumbers) {
+  EXPECT_EQ(problemOf(turnedBy(0.7, 1.0)), "");
+  EXPECT_NE(problemOf(turnedBy(0.7, 0.0)).find("rotation is (0, 0, 0, 0)"), std::string::npos);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+  geometry_msgs::Transform transform = turnedBy(0.7, 1.0);
+  for (const double value : {kNan, kInfinity}) {
+    transform.rotation.z = value;
+    EXPECT_NE(problemOf(transform).find("rotation is ("), std::string::npos);
+  }
+  transform = turnedBy(0.7, 1.0);
+  transform.translation.x = kNan;
+  EXPECT_NE(problemOf(transform).find("translation is (nan, 2, 0)"), std::string::npos);
+}
+
+TEST(LateTransform, KeepsLengthsAlsoWhereTf2TookALongerQuaternion) {
+  tf2::BufferCore transforms;
+  geometry_msgs::TransformStamped transform = cameraAt(1.0, ros::Time(10, 0));
+  transform.transform.rotation = turnedBy(0.7, 1.004).rotation;
+  ASSERT_TRUE(transforms.setTransform(transform, "test"));
+  const Eigen::Matrix3d turn = lookupLateTransform(transforms, "base", "camera", ros::Time(10, 0)).linear();
+  EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
 }  // namespace
