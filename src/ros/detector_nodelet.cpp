@@ -7,7 +7,6 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "late_transform.h"
 #include "messages.h"
 #include "primitect/kernel_choice.h"
 
@@ -44,6 +43,7 @@ void DetectorNodelet::start() {
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
   if (!loaded.params.sensor_frame.empty() || !loaded.params.target_frame.empty()) {
     transforms_ = std::make_unique<tf2_ros::Buffer>();
+    late_transforms_ = std::make_unique<LateTransforms>(*transforms_);
     transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
   }
   writeParams(private_handle, loaded.params);
@@ -127,7 +127,7 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
-    sensor_from_cloud = lookupLateTransform(*transforms_, sensor, source, cloud.header.stamp);
+    sensor_from_cloud = late_transforms_->lookup(sensor, source, cloud.header.stamp);
   } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
     return pipeline_->withoutTransform(cloud.header, "no transform " + from_to + ": " + error.what());
@@ -228,7 +228,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
   const bool something_to_move = message.status == PrimitiveArray::OK;
   if (something_to_move && frameName(target) != frameName(source)) {
     try {
-      target_from_source = lookupLateTransform(*transforms_, target, source, message.header.stamp);
+      target_from_source = late_transforms_->lookup(target, source, message.header.stamp);
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
       const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";
       problem = "no transform from '" + source + "' to " + name + target + "': " + error.what();

@@ -15,6 +15,7 @@
 
 #include "detector_diagnostics.h"
 #include "frame_pipeline.h"
+#include "late_transform.h"
 #include "markers.h"
 #include "parameters.h"
 #include "tracking.h"
@@ -73,6 +74,7 @@ class DetectorNodelet : public nodelet::Nodelet {
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
+  std::unique_ptr<LateTransforms> late_transforms_;
   std::unique_ptr<dynamic_reconfigure::Server<DetectorConfig>> reconfigure_;
   ros::Publisher primitives_, markers_, labels_, normals_;
   ros::Subscriber input_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks again and again until the time is over.
+// Asks again and again until the time is over, where that may help.
 #include "late_transform.h"
 
 #include <tf2/exceptions.h>
@@ -33,14 +33,44 @@ Eigen::Isometry3d isometryOf(const geometry_msgs::Transform& transform) {
   throw std::invalid_argument(problem.str());
 }
 
-Eigen::Isometry3d lookupLateTransform(const tf2::BufferCore& transforms, const std::string& target,
-                                      const std::string& source, const ros::Time& stamp) {
+std::optional<ros::Time> LateTransforms::newest(const Frames& frames) const try {
+  return transforms_.lookupTransform(frames.first, frames.second, ros::Time(0)).header.stamp;
+} catch (const tf2::TransformException&) {
+  return std::nullopt;
+}
+
+Eigen::Isometry3d LateTransforms::at(const Frames& frames, const ros::Time& stamp) const {
+  return isometryOf(transforms_.lookupTransform(frames.first, frames.second, stamp).transform);
+}
+
+/// Not when both frames are known at a later time: then the stamp is older than what is remembered of one of them.
+bool LateTransforms::mayStillCome(const Frames& frames, const ros::Time& stamp) const {
+  const std::optional<ros::Time> known = newest(frames);
+  if (known && *known >= stamp) return false;
+  const auto last = in_vain_.find(frames);
+  return last == in_vain_.end() || last->second.times < kWaitsInVain || last->second.newest != known;
+}
+
+void LateTransforms::waitedInVain(const Frames& frames) {
+  const std::optional<ros::Time> known = newest(frames);
+  Wait& last = in_vain_[frames];
+  last.times = last.newest == known ? last.times + 1 : 1;
+  last.newest = known;
+}
+
+Eigen::Isometry3d LateTransforms::lookup(const std::string& target, const std::string& source, const ros::Time& stamp) {
+  const Frames frames = {frameName(target), frameName(source)};
+  const bool waits = mayStillCome(frames, stamp);
   const SteadyClock::time_point begin = SteadyClock::now();
   while (true) {
     try {
-      return isometryOf(transforms.lookupTransform(frameName(target), frameName(source), stamp).transform);
+      return at(frames, stamp);
     } catch (const tf2::TransformException&) {
-      if (secondsSince(begin) >= kTransformPatienceSeconds) throw;
+      if (!waits) throw;
+      if (secondsSince(begin) >= kTransformPatienceSeconds) {
+        waitedInVain(frames);
+        throw;
+      }
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
