@@ -238,7 +238,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
     }
     transformPrimitives(target_from_source, message);
   }
-  message.header.frame_id = message.status == PrimitiveArray::NO_TRANSFORM ? cloud_frame : target;
+  message.header.frame_id = message.status == PrimitiveArray::OK ? target : cloud_frame;
   marker_style_.viewpoint = target_from_source.translation();
   marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
   return problem;

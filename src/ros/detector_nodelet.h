@@ -52,7 +52,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
   /// Moves the primitives from the sensor's frame to target_frame or that of the cloud; empty, or why that is not
-  /// possible.
+  /// possible. A message without search stays in the cloud's frame: whether another can be reached was not asked.
   std::string toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message);
   void track(PrimitiveArray& message);
 
