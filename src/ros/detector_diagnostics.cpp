@@ -11,6 +11,8 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
+const char* yesOrNo(std::optional<bool> fact) { return !fact ? "unknown" : *fact ? "yes" : "no"; }
+
 }  // namespace
 
 void FrameCounters::count(const PrimitiveArray& message, const Refusals& refusals) {
@@ -40,8 +42,8 @@ void DetectorDiagnostics::frameReceived() {
   last_frame_ = SteadyClock::now();
 }
 
-void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, bool seen_from_origin,
-                                    const std::string& error) {
+void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals,
+                                    std::optional<bool> seen_from_origin, const std::string& error) {
   counters_.count(message, refusals);
   seen_from_origin_ = seen_from_origin;
   last_error_ = error;
@@ -64,7 +66,7 @@ void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, cons
 
 void DetectorDiagnostics::startAnew() {
   counters_ = FrameCounters();
-  seen_from_origin_ = true;
+  seen_from_origin_.reset();
   last_error_.clear();
 }
 
@@ -77,8 +79,9 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
   } else if (silent()) {
     status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", secondsSince(last_frame_));
-  } else if (!seen_from_origin_) {
-    status.summary(DiagnosticStatus::WARN, "clouds are not seen from the origin of their frame: is sensor_frame right?");
+  } else if (seen_from_origin_ == false) {
+    status.summary(DiagnosticStatus::WARN,
+                   "clouds are not seen from the origin of their frame: is sensor_frame right?");
   } else {
     status.summary(DiagnosticStatus::OK, "receiving");
   }
@@ -90,7 +93,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("failed", counters_.failed);
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
-  status.add("seen from the origin", seen_from_origin_ ? "yes" : "no");
+  status.add("seen from the origin", yesOrNo(seen_from_origin_));
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

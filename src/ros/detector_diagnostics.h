@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "primitect/latency_governor.h"
@@ -40,7 +41,7 @@ class DetectorDiagnostics {
 
   void frameReceived();
   /// error: why the cloud was refused, or empty.
-  void frameDone(const PrimitiveArray& message, const Refusals& refusals, bool seen_from_origin,
+  void frameDone(const PrimitiveArray& message, const Refusals& refusals, std::optional<bool> seen_from_origin,
                  const std::string& error);
   void frameFailed(const std::string& error);
 
@@ -63,7 +64,7 @@ class DetectorDiagnostics {
 
   FrameCounters counters_;
   std::string last_error_;
-  bool seen_from_origin_ = true;  ///< the last cloud
+  std::optional<bool> seen_from_origin_;  ///< the last cloud; empty: unknown
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs

@@ -143,7 +143,7 @@ void DetectorNodelet::track(PrimitiveArray& message) {
 }
 
 void DetectorNodelet::warnIfSeenFromElsewhere() {
-  if (pipeline_->seenFromOrigin() || told_elsewhere_) return;
+  if (pipeline_->seenFromOrigin() != false || told_elsewhere_) return;
   told_elsewhere_ = true;
   const std::string& sensor = pipeline_->params().sensor_frame;
   const std::string advice = sensor.empty() ? "set sensor_frame to the camera's optical frame, or shapes are missed"

@@ -143,7 +143,8 @@ class SensorFrame(unittest.TestCase):
             detector.ask(in_base())
             states = [s for m in diagnostics.all() for s in m.status if s.name == "without: input"]
             warnings = [m for m in log.all() if m.name == "/without" and "set sensor_frame" in m.msg]
-            return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message]
+            return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message and
+                                 "no" in [v.value for v in s.values if v.key == "seen from the origin"]]
         self.assertTrue(wait_for(said))
 
 
