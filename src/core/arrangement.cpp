@@ -25,12 +25,6 @@ bool mayBeList(const Cloud& cloud) {
   return std::min(cloud.width, cloud.height) < kFewest;
 }
 
-/// More than strays lie where a sensor that looks along z measures nothing.
-bool liesBehind(const Cloud& cloud) {
-  constexpr double kStrays = 0.01;
-  return cloud.behind_count > kStrays * cloud.valid_count;
-}
-
 }  // namespace
 
 const Cloud& Arrangement::asList(const Cloud& cloud) {
@@ -50,7 +44,7 @@ const Cloud& Arrangement::withoutImage(const Cloud& cloud) {
 
 const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
   is_projected_ = false;
-  seen_elsewhere_ = liesBehind(cloud);
+  seen_elsewhere_ = cloud.liesBehind();
   rays_.reset();
   if (cloud.organized() && !isNarrow(cloud)) {
     const ImageRays rays = findRays(cloud);

@@ -124,10 +124,9 @@ std::string emptyText(const io::FileReport& report, const Cloud& whole, const De
 
 /// Clouds of robots and maps have their table or floor through the origin.
 std::string otherFrameText(const Cloud& whole, const Detections& found) {
-  constexpr double kStrays = 0.01;
-  const double share = whole.behind_count / std::max<double>(1.0, whole.valid_count);
   std::string what;
-  if (share > kStrays) {
+  if (whole.liesBehind()) {
+    const double share = static_cast<double>(whole.behind_count) / whole.valid_count;
     what = format("%.0f %% of the points lie behind the sensor (z <= 0), which is", 100.0 * share);
   } else if (!found.seen_from_origin) {
     what = "the points were not seen from the sensor, which is";
