@@ -116,7 +116,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   publish(message);
   pipeline_->published();
   warnIfHopeless();
-  warnIfSeenFromElsewhere();
+  warnIfNotSeenFromOrigin();
 }
 
 PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
@@ -142,9 +142,9 @@ void DetectorNodelet::track(PrimitiveArray& message) {
   tracker_.update(pipeline_->params().track_patience, message);
 }
 
-void DetectorNodelet::warnIfSeenFromElsewhere() {
-  if (pipeline_->seenFromOrigin() != false || told_elsewhere_) return;
-  told_elsewhere_ = true;
+void DetectorNodelet::warnIfNotSeenFromOrigin() {
+  if (pipeline_->seenFromOrigin() != false || told_not_from_origin_) return;
+  told_not_from_origin_ = true;
   const std::string& sensor = pipeline_->params().sensor_frame;
   const std::string advice = sensor.empty() ? "set sensor_frame to the camera's optical frame, or shapes are missed"
                                             : "is sensor_frame the camera's optical frame, and the transform right?";
@@ -248,7 +248,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   const Lock lock(mutex_);
   try {
     pipeline_->setParams(fromConfig(config, pipeline_->params()));
-    told_hopeless_ = told_elsewhere_ = false;
+    told_hopeless_ = told_not_from_origin_ = false;
     if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
   } catch (const std::exception& error) {
     NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());

@@ -47,7 +47,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   /// Once, or once more after parameters changed.
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
-  void warnIfSeenFromElsewhere();
+  void warnIfNotSeenFromOrigin();
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
@@ -68,7 +68,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   ros::Time last_stamp_;
   std_msgs::Header sensor_header_;  ///< of the last cloud, in the frame where it was searched
   bool told_hopeless_ = false;
-  bool told_elsewhere_ = false;
+  bool told_not_from_origin_ = false;
   bool told_silent_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
 

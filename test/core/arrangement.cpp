@@ -63,7 +63,7 @@ Cloud distorted(const Cloud& image) {
   return result;
 }
 
-TEST(Arrangement, KeepsImagesOfCamerasAlsoTurnedAndThroughPoorLenses) {
+TEST(Arrangement, KeepsImagesOfCamerasAlsoTransposedAndThroughPoorLenses) {
   const Cloud image = kScene.image(1);
   for (const Cloud& cloud : {image, transposed(image), distorted(image)}) {
     Arrangement arrangement;
