@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "synthetic/poses.h"
 
 namespace primitect::eval {
 namespace {
@@ -72,13 +73,8 @@ void shufflePoints(Cloud& cloud, std::uint64_t seed) {
 }
 
 Eigen::Isometry3d robotFromSensor() {
-  constexpr double kHeight = 1.3, kDown = 38.0 * 3.141592653589793 / 180.0;  // m, rad
-  const Eigen::Vector3d right = -Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d ahead(std::cos(kDown), 0.0, -std::sin(kDown));
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() << right, ahead.cross(right), ahead;
-  result.translation().z() = kHeight;
-  return result;
+  constexpr double kHeight = 1.3, kDown = 38.0 * synthetic::kPi / 180.0;  // m, rad
+  return synthetic::robotFromCamera(kHeight, kDown);
 }
 
 }  // namespace primitect::eval

@@ -43,6 +43,13 @@ struct Cloud {
   }
   bool valid(std::size_t i) const { return !std::isnan(z[i]); }
 
+  /// More than strays lie where a sensor at the origin that looks along z measures nothing: the cloud is in the frame
+  /// of something else.
+  bool liesBehind() const {
+    constexpr double kStrays = 0.01;  // of the points
+    return behind_count > kStrays * valid_count;
+  }
+
   /// Makes room for width * height points, all missing; keeps the memory of earlier frames.
   void reset(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
 

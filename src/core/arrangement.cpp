@@ -25,12 +25,6 @@ bool mayBeList(const Cloud& cloud) {
   return std::min(cloud.width, cloud.height) < kFewest;
 }
 
-/// More than strays lie where a sensor that looks along z measures nothing.
-bool liesBehind(const Cloud& cloud) {
-  constexpr double kStrays = 0.01;
-  return cloud.behind_count > kStrays * cloud.valid_count;
-}
-
 }  // namespace
 
 const Cloud& Arrangement::asList(const Cloud& cloud) {
@@ -40,28 +34,28 @@ const Cloud& Arrangement::asList(const Cloud& cloud) {
   return list_;
 }
 
-/// The image that it was, or a list.
-const Cloud& Arrangement::withoutImage(const Cloud& cloud) {
+const Cloud& Arrangement::projectedOrList(const Cloud& cloud) {
   const Cloud& list = asList(cloud);
   is_projected_ = projected_.make(list) && projected_.image().valid_count >= kFewestPoints;
-  seen_elsewhere_ = !is_projected_ && (seen_elsewhere_ || projected_.seenElsewhere());
+  // Columns of a list in a few rows tell nothing: an image that can be made of it tells more.
+  seen_from_origin_ = is_projected_ || (seen_from_origin_ && projected_.seenFromOrigin());
   return is_projected_ ? projected_.image() : list;
 }
 
 const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
   is_projected_ = false;
-  seen_elsewhere_ = liesBehind(cloud);
+  seen_from_origin_ = !cloud.liesBehind();
   rays_.reset();
   if (cloud.organized() && !isNarrow(cloud)) {
     const ImageRays rays = findRays(cloud);
-    seen_elsewhere_ = seen_elsewhere_ || rays.elsewhere;
-    if (!rays.elsewhere && (brings_normals || !isSparse(cloud))) {
+    seen_from_origin_ = seen_from_origin_ && rays.seen_from_origin;
+    if (rays.seen_from_origin && (brings_normals || !isSparse(cloud))) {
       rays_ = rays;
       return cloud;
     }
-    if (rays.elsewhere && !mayBeList(cloud)) return asList(cloud);
+    if (!rays.seen_from_origin && !mayBeList(cloud)) return asList(cloud);
   }
-  return brings_normals ? asList(cloud) : withoutImage(cloud);
+  return brings_normals ? asList(cloud) : projectedOrList(cloud);
 }
 
 bool mayBeOfDepthCamera(const Cloud& cloud) {

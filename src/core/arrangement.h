@@ -14,13 +14,16 @@ namespace primitect {
 /// Of one frame after the other. Keeps its memory.
 class Arrangement {
  public:
-  /// The cloud to work on, until the next call: what a filter made of a depth camera's image gets its image back; rows
-  /// far apart, as of a laser scanner, fewer than five of them, or what was seen from elsewhere are no image, and their
-  /// points are taken as they are. What brings normals of its own stays an image or a list.
+  /// The cloud to work on, valid until the next call:
+  /// - itself, where it is the image of a camera at the origin, or a list that was none;
+  /// - the image that its points were seen in, where a filter left a list or a sparse image of it, unless the cloud
+  ///   brings normals of its own, which such an image does not hold;
+  /// - else its points as a list: of rows far apart, as of a laser scanner, of fewer than five rows or columns, and of
+  ///   what was not seen from the origin.
   const Cloud& of(const Cloud& cloud, bool brings_normals);
 
   /// False when the points contradict it; of lists with normals only what lies behind the sensor does.
-  bool seenFromOrigin() const { return !seen_elsewhere_; }
+  bool seenFromOrigin() const { return seen_from_origin_; }
 
   /// Of the cloud, where it was found to be an image.
   const std::optional<ImageRays>& rays() const { return rays_; }
@@ -30,12 +33,13 @@ class Arrangement {
 
  private:
   const Cloud& asList(const Cloud& cloud);
-  const Cloud& withoutImage(const Cloud& cloud);
+  /// Of a cloud that is no image as it is: the image that its points were seen in, or a list where there is none.
+  const Cloud& projectedOrList(const Cloud& cloud);
 
   ProjectedImage projected_;
   Cloud list_;
   std::optional<ImageRays> rays_;
-  bool is_projected_ = false, seen_elsewhere_ = false;
+  bool is_projected_ = false, seen_from_origin_ = true;
 };
 
 /// Its points, at least one, are where a depth camera may have measured them: organized, in front of the sensor, and

@@ -111,7 +111,7 @@ ImageRays findRays(const Cloud& cloud) {
   const Lines lines(cloud, step, false);
   if (lines.of_x.count < kFewest) return rays;
   rays.known = lines.fit();
-  rays.elsewhere = !rays.known && !lines.tellNearlyAll() && !Lines(cloud, step, true).fit();
+  rays.seen_from_origin = rays.known || lines.tellNearlyAll() || Lines(cloud, step, true).fit();
   if (!rays.known) return rays;
   rays.misfit = lines.misfit();
   rays.x_offset = lines.of_x.offset(), rays.x_scale = lines.of_x.scale();

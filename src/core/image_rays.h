@@ -11,9 +11,9 @@ namespace primitect {
 /// Rays of the pixels, also of those without a point, and where the sensor measures at all.
 struct ImageRays {
   bool known = false;  ///< false: not organized, or not seen by a pinhole camera at the origin
-  /// Columns and rows do not tell where the points are seen from the origin, not even through a poor lens or in an
-  /// image turned by a quarter: they were seen from elsewhere, or are in no order.
-  bool elsewhere = false;
+  /// False: columns and rows do not tell where the points are seen from the origin, not even through a poor lens or in
+  /// an image turned by a quarter. They were not seen from there, or are in no order.
+  bool seen_from_origin = true;
   double misfit = 0.0;  ///< px, root mean square
   double x_offset = 0.0, x_scale = 0.0, y_offset = 0.0, y_scale = 0.0;
   int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  ///< less the sensor's margin
@@ -36,9 +36,9 @@ struct PixelPitch {
 /// Of an image whose pixels lie where they should, to a twentieth of a pixel: beside a window of 15 that is nothing.
 PixelPitch pitchOf(const ImageRays& rays);
 
-/// From some hundred points by least squares; known when these fit to a third of a pixel. Elsewhere when column or row
-/// tell less than 95 % of the variance of x/z or y/z: of images of 15 depth cameras they tell all of it; where these
-/// were moved to frames on the floor below, up to 94 %.
+/// From some hundred points by least squares; known when these fit to a third of a pixel. Not seen from the origin
+/// when column or row tell less than 95 % of the variance of x/z or y/z: of images of 15 depth cameras they tell all of
+/// it; where these were moved to frames on the floor below, up to 94 %.
 ImageRays findRays(const Cloud& cloud);
 
 }  // namespace primitect

@@ -14,6 +14,8 @@ namespace {
 
 /// Of a camera's points so few at either end are strays, and so few may be where no camera sees.
 constexpr double kAside = 0.002;
+/// More than this are no strays: the points were not seen from the origin.
+constexpr double kSurelyAside = 0.05;
 
 /// Bounds of x/z and y/z of the points that a camera can see.
 struct View {
@@ -161,11 +163,10 @@ bool ProjectedImage::hidesMany(const Cloud& cloud, float pitch) const {
 bool ProjectedImage::make(const Cloud& cloud) {
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
   constexpr int kTimes = 5;
-  seen_elsewhere_ = false;
+  seen_from_origin_ = true;
   if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
   View view = viewOf(cloud);
-  constexpr double kSurelyAside = 0.05;  // of the points
-  seen_elsewhere_ = static_cast<double>(view.points) < (1.0 - kSurelyAside) * cloud.valid_count;
+  seen_from_origin_ = static_cast<double>(view.points) >= (1.0 - kSurelyAside) * cloud.valid_count;
   if (static_cast<double>(view.points) < (1.0 - kAside) * cloud.valid_count) return false;
   leaveOutStrays(cloud, view);
   const float width = view.right - view.left, height = view.bottom - view.top;
@@ -182,8 +183,8 @@ bool ProjectedImage::make(const Cloud& cloud) {
     const double held = image_.valid_count;
     // Rows far apart, as of a laser scanner, leave the windows of such an image empty.
     if (held >= kLeastKept * rays) {
-      seen_elsewhere_ = hidesMany(cloud, pitch);
-      return !seen_elsewhere_ && !isSparse(image_);
+      seen_from_origin_ = !hidesMany(cloud, pitch);
+      return seen_from_origin_ && !isSparse(image_);
     }
     if (held < kMore * before) {
       // Finer pixels part no more points: those that are left share their rays.

@@ -27,11 +27,11 @@ class ProjectedImage {
   /// like those of several frames, count once. Of two points in a pixel the image holds the nearer one, or of one
   /// surface the first. False when the cloud is an image that is not sparse, when more than a few points lie beside or
   /// behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when it was
-  /// seen from elsewhere.
+  /// not seen from the origin.
   bool make(const Cloud& cloud);
 
-  /// Of the last make(): more points hide each other, or lie aside, than a sensor at the origin would have seen.
-  bool seenElsewhere() const { return seen_elsewhere_; }
+  /// Of the last make(). False: more points hide each other, or lie aside, than a sensor at the origin would have seen.
+  bool seenFromOrigin() const { return seen_from_origin_; }
 
   const Cloud& image() const { return image_; }
   /// Of each point of the cloud.
@@ -47,7 +47,7 @@ class ProjectedImage {
 
   Cloud image_;
   List<std::uint32_t> pixel_;
-  bool seen_elsewhere_ = false;
+  bool seen_from_origin_ = true;
 };
 
 }  // namespace primitect

@@ -17,7 +17,7 @@ constexpr double kMargin = 0.06;  // of the picture, on each side
 Vec3 pointOf(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
 
 /// In front of the origin and within 63 deg of z, but for one point in a hundred.
-bool seenFromOrigin(const Cloud& cloud) {
+bool liesInView(const Cloud& cloud) {
   std::size_t outside = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.valid(i) && !(std::hypot(cloud.x[i], cloud.y[i]) < 2.0f * cloud.z[i])) ++outside;
@@ -50,7 +50,7 @@ Vec3 sumOfNormals(const Cloud& cloud) {
 }
 
 void chooseDirection(const Cloud& cloud, View& view) {
-  if (seenFromOrigin(cloud)) return;
+  if (liesInView(cloud)) return;
   view.forward = thinDirection(cloud);
   const Vec3 towards_viewer = cloud.hasNormals() ? sumOfNormals(cloud) : Vec3(Vec3::UnitZ());
   if (view.forward.dot(towards_viewer) > 0.0) view.forward = -view.forward;

@@ -11,6 +11,8 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
+const char* yesOrNo(std::optional<bool> fact) { return !fact ? "unknown" : *fact ? "yes" : "no"; }
+
 }  // namespace
 
 void FrameCounters::count(const PrimitiveArray& message, const Refusals& refusals) {
@@ -40,10 +42,10 @@ void DetectorDiagnostics::frameReceived() {
   last_frame_ = SteadyClock::now();
 }
 
-void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameDoubts& doubts,
+void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameView& view,
                                     const std::string& error) {
   counters_.count(message, refusals);
-  doubts_ = doubts;
+  view_ = view;
   last_error_ = error;
 }
 
@@ -64,7 +66,7 @@ void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, cons
 
 void DetectorDiagnostics::startAnew() {
   counters_ = FrameCounters();
-  doubts_ = FrameDoubts();
+  view_ = FrameView();
   last_error_.clear();
 }
 
@@ -77,10 +79,10 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
   } else if (silent()) {
     status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", secondsSince(last_frame_));
-  } else if (doubts_.seen_from_elsewhere) {
+  } else if (view_.seen_from_origin == false) {
     status.summary(DiagnosticStatus::WARN,
                    "clouds are not seen from the origin of their frame: is sensor_frame right?");
-  } else if (doubts_.normals_face_away) {
+  } else if (view_.normals_face_away) {
     status.summary(DiagnosticStatus::WARN, "most normals of the clouds face away from the sensor: set orient_normals");
   } else {
     status.summary(DiagnosticStatus::OK, "receiving");
@@ -93,7 +95,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("failed", counters_.failed);
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
-  status.add("seen from the origin", doubts_.seen_from_elsewhere ? "no" : "yes");
+  status.add("seen from the origin", yesOrNo(view_.seen_from_origin));
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "primitect/latency_governor.h"
@@ -33,10 +34,10 @@ struct FrameCounters {
   void count(const PrimitiveArray& message, const Refusals& refusals);
 };
 
-/// What contradicts that a sensor at the origin saw the last cloud, with normals towards it.
-struct FrameDoubts {
-  bool seen_from_elsewhere = false;
-  bool normals_face_away = false;
+/// How the last cloud was seen.
+struct FrameView {
+  std::optional<bool> seen_from_origin;  ///< by a sensor there that looks along z; empty: unknown
+  bool normals_face_away = false;        ///< most of those that it brought, from that sensor
 };
 
 class DetectorDiagnostics {
@@ -46,7 +47,7 @@ class DetectorDiagnostics {
 
   void frameReceived();
   /// error: why the cloud was refused, or empty.
-  void frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameDoubts& doubts,
+  void frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameView& view,
                  const std::string& error);
   void frameFailed(const std::string& error);
 
@@ -69,7 +70,7 @@ class DetectorDiagnostics {
 
   FrameCounters counters_;
   std::string last_error_;
-  FrameDoubts doubts_;
+  FrameView view_;
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs

@@ -4,11 +4,9 @@
 #include "detector_nodelet.h"
 
 #include <ros/master.h>
-#include <tf2_eigen/tf2_eigen.h>
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "late_transform.h"
 #include "messages.h"
 #include "primitect/kernel_choice.h"
 
@@ -45,6 +43,7 @@ void DetectorNodelet::start() {
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
   if (!loaded.params.sensor_frame.empty() || !loaded.params.target_frame.empty()) {
     transforms_ = std::make_unique<tf2_ros::Buffer>();
+    late_transforms_ = std::make_unique<LateTransforms>(*transforms_);
     transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
   }
   writeParams(private_handle, loaded.params);
@@ -113,12 +112,12 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   track(message);
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
-  const FrameDoubts doubts = {!pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway()};
-  diagnostics_->frameDone(message, pipeline_->refusals(), doubts, problem);
+  const FrameView view = {pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway()};
+  diagnostics_->frameDone(message, pipeline_->refusals(), view, problem);
   publish(message);
   pipeline_->published();
   warnIfHopeless();
-  warnIfSeenFromElsewhere();
+  warnIfNotSeenFromOrigin();
 }
 
 PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
@@ -129,7 +128,7 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
-    sensor_from_cloud = tf2::transformToEigen(lookupLateTransform(*transforms_, sensor, source, cloud.header.stamp));
+    sensor_from_cloud = late_transforms_->lookup(sensor, source, cloud.header.stamp);
   } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
     return pipeline_->withoutTransform(cloud.header, "no transform " + from_to + ": " + error.what());
@@ -144,9 +143,9 @@ void DetectorNodelet::track(PrimitiveArray& message) {
   tracker_.update(pipeline_->params().track_patience, message);
 }
 
-void DetectorNodelet::warnIfSeenFromElsewhere() {
-  if (pipeline_->seenFromOrigin() || told_elsewhere_) return;
-  told_elsewhere_ = true;
+void DetectorNodelet::warnIfNotSeenFromOrigin() {
+  if (pipeline_->seenFromOrigin() != false || told_not_from_origin_) return;
+  told_not_from_origin_ = true;
   const std::string& sensor = pipeline_->params().sensor_frame;
   const std::string advice = sensor.empty() ? "set sensor_frame to the camera's optical frame, or shapes are missed"
                                             : "is sensor_frame the camera's optical frame, and the transform right?";
@@ -230,8 +229,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
   const bool something_to_move = message.status == PrimitiveArray::OK;
   if (something_to_move && frameName(target) != frameName(source)) {
     try {
-      target_from_source =
-          tf2::transformToEigen(lookupLateTransform(*transforms_, target, source, message.header.stamp));
+      target_from_source = late_transforms_->lookup(target, source, message.header.stamp);
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
       const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";
       problem = "no transform from '" + source + "' to " + name + target + "': " + error.what();
@@ -241,7 +239,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
     }
     transformPrimitives(target_from_source, message);
   }
-  message.header.frame_id = message.status == PrimitiveArray::NO_TRANSFORM ? cloud_frame : target;
+  message.header.frame_id = message.status == PrimitiveArray::OK ? target : cloud_frame;
   marker_style_.viewpoint = target_from_source.translation();
   marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
   return problem;
@@ -251,7 +249,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   const Lock lock(mutex_);
   try {
     pipeline_->setParams(fromConfig(config, pipeline_->params()));
-    told_hopeless_ = told_elsewhere_ = false;
+    told_hopeless_ = told_not_from_origin_ = false;
     if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
   } catch (const std::exception& error) {
     NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());

@@ -15,6 +15,7 @@
 
 #include "detector_diagnostics.h"
 #include "frame_pipeline.h"
+#include "late_transform.h"
 #include "markers.h"
 #include "parameters.h"
 #include "tracking.h"
@@ -46,12 +47,12 @@ class DetectorNodelet : public nodelet::Nodelet {
   /// Once, or once more after parameters changed.
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
-  void warnIfSeenFromElsewhere();
+  void warnIfNotSeenFromOrigin();
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
   /// Moves the primitives from the sensor's frame to target_frame or that of the cloud; empty, or why that is not
-  /// possible.
+  /// possible. A message without search stays in the cloud's frame: whether another can be reached was not asked.
   std::string toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message);
   void track(PrimitiveArray& message);
 
@@ -67,12 +68,13 @@ class DetectorNodelet : public nodelet::Nodelet {
   ros::Time last_stamp_;
   std_msgs::Header sensor_header_;  ///< of the last cloud, in the frame where it was searched
   bool told_hopeless_ = false;
-  bool told_elsewhere_ = false;
+  bool told_not_from_origin_ = false;
   bool told_silent_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
+  std::unique_ptr<LateTransforms> late_transforms_;
   std::unique_ptr<dynamic_reconfigure::Server<DetectorConfig>> reconfigure_;
   ros::Publisher primitives_, markers_, labels_, normals_;
   ros::Subscriber input_;

@@ -89,6 +89,12 @@ PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, 
   return message_writer_.write(kNoTransform, header);
 }
 
+std::optional<bool> FramePipeline::seenFromOrigin() const {
+  if (!has_cloud_) return std::nullopt;
+  if (!detector_.result().seen_from_origin) return false;
+  return status_ == Status::ok ? std::optional(true) : std::nullopt;
+}
+
 std::string FramePipeline::problemOf(const Detections& detections) const {
   if (detections.status == Status::ok) return {};
   const std::string used = std::to_string(detections.points_used);

@@ -58,8 +58,8 @@ class FramePipeline {
   /// The last cloud could be read.
   bool hasCloud() const { return has_cloud_; }
 
-  /// False: its points contradict that a sensor at the origin saw them.
-  bool seenFromOrigin() const { return !has_cloud_ || detector_.result().seen_from_origin; }
+  /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.
+  std::optional<bool> seenFromOrigin() const;
 
   /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.
   bool normalsFaceAway() const { return has_cloud_ && detector_.result().normals_face_away; }

@@ -1,26 +1,62 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A transform that may arrive a little later than the cloud it belongs to.
+// Transforms that may arrive a little later than the clouds they belong to.
 #pragma once
 
-#include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Transform.h>
 #include <ros/time.h>
 #include <tf2/buffer_core.h>
 
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace primitect::ros_layer {
 
 /// Drivers and localization send the transform of a stamp shortly after the cloud; longer is no jitter (s).
 constexpr double kTransformPatienceSeconds = 0.05;
 
+/// So often in a row, as transforms may come more seldom than clouds; what is not there then is silent.
+constexpr int kWaitsInVain = 3;
+
 /// The name of a frame as tf2 knows it: without the slash that tf put in front of it.
 inline std::string frameName(const std::string& frame) { return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame; }
 
-/// The transform at that stamp; another thread must fill the buffer. Waits by the steady clock, at most for
-/// kTransformPatienceSeconds, so that a simulated time that stands still blocks nothing.
-/// Throws what BufferCore::lookupTransform() throws when there is none by then.
-geometry_msgs::TransformStamped lookupLateTransform(const tf2::BufferCore& transforms, const std::string& target,
-                                                    const std::string& source, const ros::Time& stamp);
+/// With the rotation that the quaternion means, whatever its length: not all publishers normalise theirs, and tf2 takes
+/// those that are a little off. Throws std::invalid_argument where it has no direction, or where the place is no
+/// number.
+Eigen::Isometry3d isometryOf(const geometry_msgs::Transform& transform);
+
+/// Of a buffer that another thread fills.
+class LateTransforms {
+ public:
+  /// The buffer must outlive this.
+  explicit LateTransforms(const tf2::BufferCore& transforms) : transforms_(transforms) {}
+
+  /// target_from_source at that stamp. Waits by the steady clock, at most for kTransformPatienceSeconds, so that a
+  /// simulated time that stands still blocks nothing; and after kWaitsInVain not again until anything new is known of
+  /// these two frames, so that clouds without a transform hold up neither other callbacks nor other nodelets.
+  /// Throws what BufferCore::lookupTransform() throws when there is none by then, and what isometryOf() throws.
+  Eigen::Isometry3d lookup(const std::string& target, const std::string& source, const ros::Time& stamp);
+
+ private:
+  using Frames = std::pair<std::string, std::string>;  ///< target, source
+
+  /// The newest stamp that both frames are known at; empty: nothing connects them.
+  std::optional<ros::Time> newest(const Frames& frames) const;
+  Eigen::Isometry3d at(const Frames& frames, const ros::Time& stamp) const;
+  bool mayStillCome(const Frames& frames, const ros::Time& stamp) const;
+
+  void waitedInVain(const Frames& frames);
+
+  struct Wait {
+    std::optional<ros::Time> newest;  ///< when it was over
+    int times = 0;                    ///< so many in a row, with nothing new in between
+  };
+  const tf2::BufferCore& transforms_;
+  std::map<Frames, Wait> in_vain_;
+};
 
 }  // namespace primitect::ros_layer

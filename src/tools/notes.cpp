@@ -16,8 +16,6 @@ std::string unitsText(const Detections& found) {
   return "  note: lengths are taken for metres; are they millimetres?\n";
 }
 
-double shareBehind(const Cloud& cloud) { return cloud.behind_count / std::max<double>(1.0, cloud.valid_count); }
-
 std::uint32_t countBehind(const io::SensorPose& sensor, Cloud points) {
   points.move(sensor.pointsFromSensor().inverse(), DepthRange());
   return points.behind_count;
@@ -38,11 +36,10 @@ std::string sensorAdvice(const io::PointFile& file) {
 
 /// Clouds of robots and maps have their table or floor through the origin.
 std::string otherFrameText(const Detections& found, const DetectInput& input) {
-  constexpr double kStrays = 0.01;
-  const double share = shareBehind(input.seen());
+  const Cloud& seen = input.seen();
   std::string what = "the points were not seen from the sensor";
-  if (share > kStrays) {
-    what = format("%.0f %% of the points lie behind the sensor (z <= 0)", 100.0 * share);
+  if (seen.liesBehind()) {
+    what = format("%.0f %% of the points lie behind the sensor (z <= 0)", 100.0 * seen.behind_count / seen.valid_count);
   } else if (found.seen_from_origin) {
     return "";
   }

@@ -12,21 +12,15 @@
 
 #include "core/random.h"
 #include "primitect/detector.h"
+#include "synthetic/poses.h"
 #include "test/support/ball_and_wall.h"
 
 namespace primitect {
 namespace {
 
-const test::BallAndWall kScene;
+using synthetic::robotFromCamera;
 
-/// A robot's frame: x ahead, y to the left, z up, the camera this high above the origin (m) and turned down (rad).
-Eigen::Isometry3d robotFromCamera(double height, double down) {
-  const Vec3 right = -Vec3::UnitY(), ahead(std::cos(down), 0.0, -std::sin(down));
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() << right, ahead.cross(right), ahead;
-  result.translation().z() = height;
-  return result;
-}
+const test::BallAndWall kScene;
 
 /// All points are above the origin, and hide each other when looked at from there.
 Cloud inFrameOfRobot(Cloud cloud) {
@@ -69,7 +63,7 @@ Cloud distorted(const Cloud& image) {
   return result;
 }
 
-TEST(Arrangement, KeepsImagesOfCamerasAlsoTurnedAndThroughPoorLenses) {
+TEST(Arrangement, KeepsImagesOfCamerasAlsoTransposedAndThroughPoorLenses) {
   const Cloud image = kScene.image(1);
   for (const Cloud& cloud : {image, transposed(image), distorted(image)}) {
     Arrangement arrangement;

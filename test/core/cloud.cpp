@@ -79,6 +79,16 @@ TEST(Cloud, MovesPointsAndNormalsAndCutsWhereItGets) {
   EXPECT_EQ(cloud.valid_count, 1u);
 }
 
+TEST(Cloud, LiesBehindWhereMoreThanOnePointInAHundredDoes) {
+  Cloud cloud;
+  EXPECT_FALSE(cloud.liesBehind()) << "no points";
+  cloud.reset(300, 1, false);
+  for (std::size_t i = 0; i < 200; ++i) cloud.setPoint(i, 0.1f, 0.0f, i < 2 ? -1.0f : 1.0f, {});
+  EXPECT_FALSE(cloud.liesBehind());
+  cloud.setPoint(200, 0.1f, 0.0f, -1.0f, {});
+  EXPECT_TRUE(cloud.liesBehind()) << "of those that are measured";
+}
+
 TEST(Cloud, KeepsAllDepthsWhenTheRangeIsOff) {
   Cloud cloud;
   cloud.reset(2, 1, false);

@@ -73,7 +73,7 @@ TEST(ProjectedImage, IsNoneWhereATableHidesWhatStandsOnIt) {
   for (std::size_t k = 0; k < 3600; k += 20) points.push_back(1.1 * points[k]);
   ProjectedImage projected;
   EXPECT_FALSE(projected.make(cloudOf(points)));
-  EXPECT_TRUE(projected.seenElsewhere());
+  EXPECT_FALSE(projected.seenFromOrigin());
 }
 
 TEST(ProjectedImage, MayHaveEdgesThroughItsPixels) {
@@ -85,7 +85,7 @@ TEST(ProjectedImage, MayHaveEdgesThroughItsPixels) {
   for (std::size_t row = 0; row < 60; ++row) points.push_back(1.3 * points[row * 60 + 29]);
   ProjectedImage projected;
   EXPECT_TRUE(projected.make(cloudOf(points)));
-  EXPECT_FALSE(projected.seenElsewhere());
+  EXPECT_TRUE(projected.seenFromOrigin());
 }
 
 TEST(ProjectedImage, IsAsFineAsThePointsAlsoWhereAFewLieFarAside) {

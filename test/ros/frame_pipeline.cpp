@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,28 @@ TEST(FramePipeline, ForgetsTheProblemOfTheCloudBefore) {
   pipeline.process(missing());
   pipeline.process(measured(40));
   EXPECT_EQ(pipeline.problem(), "");
+}
+
+TEST(FramePipeline, TellsWhereACloudWasSeenFromOnlyByItsPoints) {
+  Params params;
+  params.min_depth = params.max_depth = 0.0;
+  FramePipeline pipeline(params);
+  pipeline.times().begin();
+  const auto seenFromOrigin = [&pipeline](const PointCloud2& message) {
+    pipeline.process(message);
+    return pipeline.seenFromOrigin();
+  };
+  PointCloud2 behind = measured(40), rejected = behind;
+  for (std::uint32_t i = 0; i < 40; ++i) test::put(behind, i / 8, i % 8, 8, -1.0f);
+  rejected.fields.pop_back();
+  EXPECT_EQ(seenFromOrigin(measured(40)), true);
+  EXPECT_EQ(seenFromOrigin(missing()), std::nullopt);
+  EXPECT_EQ(seenFromOrigin(behind), false);
+  EXPECT_EQ(seenFromOrigin(rejected), std::nullopt);
+  EXPECT_EQ(seenFromOrigin(test::plainCloud(4, 3)), std::nullopt) << "too few";
+  seenFromOrigin(behind);
+  pipeline.withoutTransform({}, "no transform");
+  EXPECT_EQ(pipeline.seenFromOrigin(), std::nullopt);
 }
 
 TEST(FramePipeline, TellsEachStageAlsoAfterItsParametersChanged) {

@@ -55,16 +55,16 @@ def float_fields(names=("x", "y", "z")):
     return [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate(names)]
 
 
-def cloud_message(points, width, height, frame="camera", stamp=None):
-    """x, y, z as float32 without padding."""
+def cloud_message(points, width, height, frame="camera", stamp=None, names=("x", "y", "z")):
+    """These values of each point as float32 without padding."""
     message = PointCloud2()
     message.header.frame_id = frame
     message.header.stamp = stamp if stamp is not None else rospy.Time.now()
     message.width, message.height = width, height
-    message.fields = float_fields()
-    message.point_step = 12
-    message.row_step = 12 * width
-    message.data = b"".join(struct.pack("<3f", *point) for point in points)
+    message.fields = float_fields(names)
+    message.point_step = 4 * len(names)
+    message.row_step = message.point_step * width
+    message.data = b"".join(struct.pack("<%df" % len(names), *point) for point in points)
     return message
 
 

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """sensor_frame: clouds that were moved to another frame are looked at from where the sensor was."""
+import math
 import struct
 import sys
 import unittest
@@ -15,63 +16,123 @@ from ros_helpers import Collector, Detector, camera_looking_ahead, cloud_message
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import PointCloud2
 
-HEIGHT = 0.7  # m
-POINTS, WIDTH, IMAGE_HEIGHT = wall_and_ball()  # the wall is at z = 1.2 m of the camera, the ball at 0.8 m
+HEIGHT = 0.3  # m: less than half of the image is higher than the least depth above the base
+NEAR_WALL, FAR_WALL, MAX_DEPTH = 1.2, 2.4, 2.0  # m
+BALL, RADIUS = (0.0, 0.0, 0.8), 0.1
+TILT = 0.1  # rad
+
+
+def scene():
+    """The wall steps back in the last quarter of the columns."""
+    points, width, height = wall_and_ball(RADIUS, BALL, NEAR_WALL)
+    steps = [FAR_WALL / NEAR_WALL if i % width >= 0.75 * width else 1.0 for i in range(len(points))]
+    return [tuple(step * a for a in point) for step, point in zip(steps, points)], width, height
+
+
+POINTS, WIDTH, IMAGE_HEIGHT = scene()  # in the camera's frame
+
+
+def turned(vector):
+    """From the camera's axes to those of the base."""
+    x, y, z = vector
+    return z, -x, -y
 
 
 def in_base():
-    return cloud_message([(z, -x, HEIGHT - y) for x, y, z in POINTS], WIDTH, IMAGE_HEIGHT, frame="base")
+    moved = [turned(point) for point in POINTS]
+    return cloud_message([(x, y, z + HEIGHT) for x, y, z in moved], WIDTH, IMAGE_HEIGHT, frame="base")
+
+
+def true_normal(point):
+    """Of the camera's frame; that of the wall is tilted about y, so that it can be told from one that was measured."""
+    if point[2] < NEAR_WALL - 0.1:
+        return tuple((p - c) / RADIUS for p, c in zip(point, BALL))
+    return -math.sin(TILT), 0.0, -math.cos(TILT)
+
+
+def in_base_with_normals():
+    values = [(x, y, z + HEIGHT) + turned(true_normal(point))
+              for point, (x, y, z) in ((point, turned(point)) for point in POINTS)]
+    return cloud_message(values, WIDTH, IMAGE_HEIGHT, frame="base",
+                         names=("x", "y", "z", "normal_x", "normal_y", "normal_z"))
 
 
 def largest(answer, kind):
     return max((p for p in answer.primitives if p.type == kind), key=lambda p: p.inlier_count)
 
 
+def found(detector, make_message):
+    """The first answer to such clouds with status OK."""
+    answers = []
+
+    def ok():
+        answers.append(detector.ask(make_message()))
+        return answers[-1].status == PrimitiveArray.OK
+    return answers[-1] if wait_for(ok) else None
+
+
 class SensorFrame(unittest.TestCase):
     def test_says_that_there_is_no_transform_and_finds_what_the_camera_saw_when_there_is(self):
         detector, log = Detector(), Collector("/rosout", Log)
         labels = Collector("/detector/labels", PointCloud2)
+        normals = Collector("/detector/normals", PointCloud2)
         self.assertTrue(detector.ready())
-        self.assertTrue(wait_for(labels.connected))
+        self.assertTrue(wait_for(lambda: labels.connected() and normals.connected()))
+        without_transform = []
 
         def warned():
             answer = detector.ask(in_base())  # again, as the warning is throttled
             self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
             self.assertEqual(len(answer.primitives), 0)
+            without_transform.append(answer.header.stamp)
             return [m for m in log.all() if m.name == "/detector" and "sensor_frame 'camera'" in m.msg]
         self.assertTrue(wait_for(warned))
-        self.assertEqual(labels.all(), [])
 
         broadcaster = tf2_ros.StaticTransformBroadcaster()
         broadcaster.sendTransform(camera_looking_ahead(HEIGHT))
-        answers = []
-
-        def found():
-            answers.append(detector.ask(in_base()))
-            return answers[-1].status == PrimitiveArray.OK
-        self.assertTrue(wait_for(found))
-        answer = answers[-1]
+        answer = found(detector, in_base)
         self.check_primitives(answer)
-        self.assertTrue(wait_for(lambda: labels.last() and labels.last().header.stamp == answer.header.stamp))
-        self.check_labels(labels.last())
+        self.check_labels(self.of_answer(labels, answer))
+
+        answer = found(detector, in_base_with_normals)
+        self.check_primitives(answer)
+        self.check_normals(self.of_answer(normals, answer))
+        for outputs in (labels, normals):
+            self.assertFalse(set(without_transform) & {m.header.stamp for m in outputs.all()})
+
+    def of_answer(self, outputs, answer):
+        """The cloud that came with this answer, where it was looked at: in the sensor's frame."""
+        self.assertTrue(wait_for(lambda: outputs.last() and outputs.last().header.stamp == answer.header.stamp))
+        self.assertEqual(outputs.last().header.frame_id, "camera")
+        return outputs.last()
 
     def check_primitives(self, answer):
         self.assertEqual(answer.header.frame_id, "base")
+        self.assertEqual(answer.points_used, sum(z <= MAX_DEPTH for _, _, z in POINTS))
         self.assertEqual(sorted(p.type for p in answer.primitives), [Primitive.PLANE, Primitive.SPHERE])
         ball, wall = largest(answer, Primitive.SPHERE), largest(answer, Primitive.PLANE)
         self.assertFalse(ball.concave)
-        self.assertAlmostEqual(ball.radius, 0.1, delta=0.003)
+        self.assertAlmostEqual(ball.radius, RADIUS, delta=0.003)
         for value, true in zip((ball.pose.pose.position.x, ball.pose.pose.position.y, ball.pose.pose.position.z),
-                               (0.8, 0.0, HEIGHT)):
+                               (BALL[2], 0.0, HEIGHT)):
             self.assertAlmostEqual(value, true, delta=0.01)
-        self.assertAlmostEqual(wall.pose.pose.position.x, 1.2, delta=0.03)
+        self.assertAlmostEqual(wall.pose.pose.position.x, NEAR_WALL, delta=0.03)
 
     def check_labels(self, labels):
-        """Where they were looked at: in the sensor's frame."""
-        self.assertEqual(labels.header.frame_id, "camera")
         self.assertEqual((labels.width, labels.height), (WIDTH, IMAGE_HEIGHT))
-        middle = (IMAGE_HEIGHT // 2 * WIDTH + WIDTH // 2) * labels.point_step
-        self.assertAlmostEqual(struct.unpack_from("<3f", labels.data, middle)[2], 0.7, delta=0.001)
+        for i, (_, _, true) in enumerate(POINTS):
+            z = struct.unpack_from("<3f", labels.data, i * labels.point_step)[2]
+            if true <= MAX_DEPTH:
+                self.assertAlmostEqual(z, true, delta=0.001)
+            else:
+                self.assertTrue(math.isnan(z))
+
+    def check_normals(self, normals):
+        self.assertGreater(normals.width, 500)
+        for i in range(normals.width):
+            values = struct.unpack_from("<6f", normals.data, i * normals.point_step)
+            for value, true in zip(values[3:], true_normal(values[:3])):
+                self.assertAlmostEqual(value, true, delta=0.001)
 
     def test_without_it_the_log_and_diagnostics_ask_for_it(self):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
@@ -82,7 +143,8 @@ class SensorFrame(unittest.TestCase):
             detector.ask(in_base())
             states = [s for m in diagnostics.all() for s in m.status if s.name == "without: input"]
             warnings = [m for m in log.all() if m.name == "/without" and "set sensor_frame" in m.msg]
-            return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message]
+            return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message and
+                                 "no" in [v.value for v in s.values if v.key == "seen from the origin"]]
         self.assertTrue(wait_for(said))
 
 

@@ -34,6 +34,7 @@ class TargetFrame(unittest.TestCase):
             self.assertEqual(answer.header.frame_id, "camera")
             return [m for m in log.all() if m.name == "/detector" and "'camera'" in m.msg and "'base'" in m.msg]
         self.assertTrue(wait_for(warned))
+        self.check_frames_of_what_is_not_searched(detector)
 
         broadcaster = tf2_ros.StaticTransformBroadcaster()
         broadcaster.sendTransform(camera_looking_ahead(HEIGHT))
@@ -58,6 +59,17 @@ class TargetFrame(unittest.TestCase):
         self.assertGreater(variances[0], max(variances[1:3]))
         self.assertLess(variances[0], 0.01 ** 2)
         self.assertTrue(wait_for(lambda: markers.last() and markers.last().markers[-1].header.frame_id == "base"))
+        self.check_frames_of_what_is_not_searched(detector)
+
+    def check_frames_of_what_is_not_searched(self, detector):
+        """The cloud's, whether target_frame can be reached or not."""
+        rejected = cloud_message(*SCENE)
+        rejected.fields.pop()
+        for message, status in ((rejected, PrimitiveArray.REJECTED_INPUT),
+                                (cloud_message([], 0, 0), PrimitiveArray.EMPTY_INPUT),
+                                (cloud_message([(0, 0, 1)], 1, 1), PrimitiveArray.TOO_FEW_POINTS)):
+            answer = detector.ask(message)
+            self.assertEqual((answer.status, answer.header.frame_id), (status, "camera"))
 
     def check_covariance_of_wall(self, wall):
         """Ahead is where the wall is known: shift along x, turns about y and z. All else cannot be observed."""
