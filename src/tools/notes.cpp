@@ -3,8 +3,6 @@
 // Questions about units, frames and intrinsics.
 #include "tools/notes.h"
 
-#include <algorithm>
-
 #include "tools/format.h"
 
 namespace primitect::tools {
