@@ -37,10 +37,9 @@ class Borders {
     const Cloud& image = where_.image;
     point_[points_] = point, out_[points_] = out;
     x_[points_] = image.x[point], y_[points_] = image.y[point], z_[points_] = image.z[point];
-    const auto column = static_cast<std::size_t>(point % image.width),
-               row = static_cast<std::size_t>(point / image.width);
-    for (std::size_t r = row > 0 ? row - 1 : 0; r <= std::min<std::size_t>(row + 1, image.height - 1); ++r) {
-      for (std::size_t c = column > 0 ? column - 1 : 0; c <= std::min<std::size_t>(column + 1, image.width - 1); ++c) {
+    const PixelBlock block = blockAround(image, point);
+    for (std::size_t r = block.top; r < block.bottom; ++r) {
+      for (std::size_t c = block.left; c < block.right; ++c) {
         const std::size_t at = r * image.width + c;
         if (where_.labels[at] == where_.label) addAround(at);
       }

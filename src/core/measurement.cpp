@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/bias.h"
-#include "core/covariance.h"
 #include "core/coverage.h"
 #include "core/determination.h"
 #include "core/extent.h"
@@ -61,10 +60,8 @@ Shape Measurement::fittedToClear(const Shape& start) {
   return rmsDistance(last, points_) <= kWorse * rmsDistance(start, points_) ? last : start;
 }
 
-double Measurement::trustInSizeOf(const Shape& fit) const {
-  const Extent extent = measureExtent(fit, points_, {});
-  const double shared = measureSharedNoise(fit, clear_, sigma_);
-  return trustInSize(fit, measureUncertainty(fit, extent, clear_, sigma_, shared));
+Uncertainty Measurement::uncertaintyOf(const Shape& fit, const Extent& extent) const {
+  return measureUncertainty(fit, extent, clear_, sigma_, measureSharedNoise(fit, clear_, sigma_));
 }
 
 /// What is no part of the surface stands out from a fit that it has bent only after some fits without the worst of it.
@@ -78,16 +75,12 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape, clear);
     if (rest.size() == clear.size()) break;
-    if (time == 0) fit.most_trust = trustInSizeOf(fit.shape);
+    if (time == 0)
+      fit.most_trust = trustInSize(fit.shape, uncertaintyOf(fit.shape, measureExtent(fit.shape, points_, {})));
     clear_.gather(cloud_, rest);
     fit.shape = fittedToClear(from);
   }
   return fit;
-}
-
-void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection) {
-  measure(
-      labelled, clear, [](const Shape&, const List<std::uint32_t>& all) { return all; }, detection);
 }
 
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
@@ -105,8 +98,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.confidence *=
       static_cast<float>(trustInShare(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
-  const double shared = measureSharedNoise(detection.shape, clear_, sigma_);
-  const Uncertainty uncertainty = measureUncertainty(detection.shape, detection.extent, clear_, sigma_, shared);
+  const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));

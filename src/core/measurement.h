@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/competition.h"
+#include "core/covariance.h"
 #include "core/dense_fit.h"
 #include "core/fit_points.h"
 #include "core/frame_memory.h"
@@ -38,9 +39,6 @@ class Measurement {
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                Detection& detection);
 
-  /// The same where all clear points lie on it.
-  void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, Detection& detection);
-
  private:
   struct Fit {
     Shape shape;
@@ -50,7 +48,7 @@ class Measurement {
   Shape unbiased(const Shape& fit) const;
   Shape start(const Shape& shape);
   Shape fittedToClear(const Shape& start);
-  double trustInSizeOf(const Shape& fit) const;
+  Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Shape& shape);
 
   const Cloud& cloud_;

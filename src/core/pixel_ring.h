@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The labels around a pixel of an image.
+// The pixels around a pixel of an image, and their labels.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,18 @@
 #include "primitect/cloud.h"
 
 namespace primitect {
+
+/// Columns and rows, ends excluded.
+struct PixelBlock {
+  std::size_t left, right, top, bottom;
+};
+
+/// The pixel and those around it, as far as they are in the image.
+inline PixelBlock blockAround(const Cloud& image, std::uint32_t pixel) {
+  const std::size_t column = pixel % image.width, row = pixel / image.width;
+  return {column - std::min<std::size_t>(column, 1), std::min<std::size_t>(column + 2, image.width),
+          row - std::min<std::size_t>(row, 1), std::min<std::size_t>(row + 2, image.height)};
+}
 
 /// Eight pixels at the same distance around any pixel of a cloud's image.
 class PixelRing {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/pixel_ring.h"
 #include "core/random.h"
 
 namespace primitect {
@@ -131,11 +132,9 @@ void ProjectedImage::project(const Cloud& cloud, float left, float top, float pi
 
 /// One of the pixels around this one, or itself, holds a point that is not clearly in front of this depth.
 bool ProjectedImage::isSeenBeside(std::uint32_t pixel, float depth, float behind) const {
-  const std::size_t row = pixel / image_.width, column = pixel % image_.width;
-  const std::size_t bottom = std::min<std::size_t>(row + 2, image_.height);
-  const std::size_t right = std::min<std::size_t>(column + 2, image_.width);
-  for (std::size_t r = row - std::min<std::size_t>(row, 1); r < bottom; ++r) {
-    for (std::size_t c = column - std::min<std::size_t>(column, 1); c < right; ++c) {
+  const PixelBlock block = blockAround(image_, pixel);
+  for (std::size_t r = block.top; r < block.bottom; ++r) {
+    for (std::size_t c = block.left; c < block.right; ++c) {
       if (depth <= behind * image_.z[r * image_.width + c]) return true;
     }
   }

@@ -54,8 +54,7 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
 std::string normalsText(const Detections& found) {
   if (!found.normals_face_away) return "";
   return "  note: most normals of the file face away from the sensor; if they are inward, what is seen from outside "
-         "passes "
-         "for hollow and is missed: try --orient_normals true. Or --sensor says where the camera was\n";
+         "passes for hollow and is missed: try --orient_normals true. Or --sensor says where the camera was\n";
 }
 
 /// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.

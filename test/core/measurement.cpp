@@ -27,6 +27,9 @@ using test::kNoiseModel;
 using test::measured;
 using test::patchOf;
 
+/// All clear points lie on the shape that was fitted to them.
+const Measurement::OnSurface kAllOnSurface = [](const Shape&, const List<std::uint32_t>& clear) { return clear; };
+
 /// 40,000 points, more than anything draws.
 constexpr std::array<int, kKindCount> kPointsOf = {20000, 6000, 7000, 7000};
 Cloud noisyTabletop() {
@@ -146,12 +149,14 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   Detection detection;
   detection.shape = Sphere{kBall.center, 0.079};
   Detection kept = detection;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).measure({all, 4000}, all, kept);
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+      .measure({all, 4000}, all, kAllOnSurface, kept);
   EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
   EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
   params.max_radius = 0.0;
   Detection fitted = detection;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).measure({all, 4000}, all, fitted);
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+      .measure({all, 4000}, all, kAllOnSurface, fitted);
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
@@ -160,7 +165,8 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   List<std::uint32_t> all(cloud.size());
   std::iota(all.begin(), all.end(), 0u);
   const Params params;
-  Measurement(cloud, findRays(cloud), params, noise, {params, 10.0}).measure({all, all.size()}, all, detection);
+  Measurement(cloud, findRays(cloud), params, noise, {params, 10.0})
+      .measure({all, all.size()}, all, kAllOnSurface, detection);
   return detection;
 }
 
@@ -259,7 +265,8 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   const Params params;
   Detection kept;
   kept.shape = kBall;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0}).measure({own, 1000}, clear, kept);
+  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+      .measure({own, 1000}, clear, kAllOnSurface, kept);
   EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
   EXPECT_LT(kept.rms_error, 2.0 * kNoise);
 }
