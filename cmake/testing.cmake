@@ -8,8 +8,9 @@ if(NOT TARGET tests)
 endif()
 find_package(GTest REQUIRED)
 
-# What takes long to compile and nearly every test needs, compiled once: headers and decompositions.
-add_library(primitect_test_support STATIC EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/test/support/linear_algebra.cpp)
+# What takes long to compile and many tests need, compiled once: headers, decompositions, patterns, JSON.
+add_library(primitect_test_support STATIC EXCLUDE_FROM_ALL
+  ${PROJECT_SOURCE_DIR}/test/support/linear_algebra.cpp ${PROJECT_SOURCE_DIR}/test/support/text.cpp)
 target_link_libraries(primitect_test_support PUBLIC GTest::gtest)
 target_include_directories(primitect_test_support PRIVATE ${PROJECT_SOURCE_DIR})
 target_include_directories(primitect_test_support SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})

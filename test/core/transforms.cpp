@@ -35,7 +35,8 @@ TEST(Transforms, MoveWhatWasSeenWithTheShape) {
   Detection& plane = detections.items[0];
   plane.shape = test::kTable;
   plane.extent.origin = test::kTable.point;
-  plane.extent.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), test::kTable.normal).toRotationMatrix();
+  const Vec3 across = test::kTable.normal.unitOrthogonal();
+  plane.extent.rotation << across, test::kTable.normal.cross(across), test::kTable.normal;
   plane.extent.size = Vec3(0.2, 0.1, 0.0);
   plane.extent.hull = {plane.extent.origin + 0.1 * plane.extent.rotation.col(0)};
   const Extent before = plane.extent;

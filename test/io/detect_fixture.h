@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <sstream>
 
 #include "temporary_folder.h"
+#include "test/support/json_text.h"
 
 namespace primitect::test {
 
@@ -71,7 +71,7 @@ class DetectProgram : public TemporaryFolder {
 
   nlohmann::json runJson(const std::string& arguments) {
     EXPECT_EQ(run(arguments + " --json -"), 0) << err;
-    return nlohmann::json::parse(out);
+    return parsedJson(out);
   }
 
   long errorLines() const { return std::count(err.begin(), err.end(), '\n'); }

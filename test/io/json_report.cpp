@@ -3,11 +3,10 @@
 // Detections in numbers for programs and in words for people.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "io/percent_text.h"
 #include "io/report.h"
 #include "io/shape_text.h"
+#include "test/support/json_text.h"
 
 namespace primitect::io {
 namespace {
@@ -41,7 +40,7 @@ FileReport fourKinds() {
 const Json kPoint = {1.0, 2.0, 3.0};
 
 TEST(JsonReport, GivesEachKindItsKeys) {
-  const Json primitives = Json::parse(reportJson(fourKinds()))["primitives"];
+  const Json primitives = test::parsedJson(reportJson(fourKinds()))["primitives"];
   ASSERT_EQ(primitives.size(), 4u);
   EXPECT_EQ(primitives[0]["type"], "plane");
   EXPECT_EQ(primitives[0]["point"], kPoint);
@@ -65,7 +64,7 @@ TEST(JsonReport, GivesEachKindItsKeys) {
 }
 
 TEST(JsonReport, SaysHowMuchWasReadAndHowLongItTook) {
-  const Json json = Json::parse(reportJson(fourKinds()));
+  const Json json = test::parsedJson(reportJson(fourKinds()));
   EXPECT_EQ(json["file"], "frame.pcd");
   EXPECT_EQ(json["status"], "ok");
   EXPECT_EQ(json["points_in"], 100);
@@ -80,7 +79,7 @@ TEST(JsonReport, SaysHowMuchWasReadAndHowLongItTook) {
 }
 
 TEST(JsonReport, LeavesUnknownFieldsNull) {
-  const Json plane = Json::parse(reportJson(fourKinds()))["primitives"][0];
+  const Json plane = test::parsedJson(reportJson(fourKinds()))["primitives"][0];
   for (const char* key : {"confidence", "coverage", "radius_stddev", "half_angle_stddev", "covariance", "truncated"}) {
     ASSERT_TRUE(plane.contains(key)) << key;
     EXPECT_TRUE(plane[key].is_null()) << key;
@@ -95,7 +94,7 @@ TEST(JsonReport, FillsKnownFields) {
   plane.covariance.fill(0.125);
   plane.extent.size = {2.0, 1.0, 0.0};
   plane.extent.hull = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
-  const Json json = Json::parse(reportJson(report))["primitives"][0];
+  const Json json = test::parsedJson(reportJson(report))["primitives"][0];
   EXPECT_EQ(json["confidence"], 0.5);
   EXPECT_EQ(json["truncated"], Json({"image", "occlusion"}));
   EXPECT_EQ(json["covariance"].size(), 36u);
@@ -107,7 +106,7 @@ TEST(JsonReport, TellsTheDepthCutOfACloudThatIsNoImage) {
   FileReport report = fourKinds();
   report.detections.items[0].truncated = kTruncationUnknown;
   report.detections.items[1].truncated = kTruncationUnknown | kTruncatedByDepth;
-  const Json json = Json::parse(reportJson(report))["primitives"];
+  const Json json = test::parsedJson(reportJson(report))["primitives"];
   EXPECT_TRUE(json[0]["truncated"].is_null());
   EXPECT_EQ(json[1]["truncated"], Json::array({"depth"}));
 }
@@ -115,7 +114,7 @@ TEST(JsonReport, TellsTheDepthCutOfACloudThatIsNoImage) {
 TEST(JsonReport, SaysWhatIsSeenFromInside) {
   FileReport report = fourKinds();
   report.detections.items[1].concave = true;
-  const Json primitives = Json::parse(reportJson(report))["primitives"];
+  const Json primitives = test::parsedJson(reportJson(report))["primitives"];
   EXPECT_EQ(primitives[0]["concave"], false);
   EXPECT_EQ(primitives[1]["concave"], true);
 }
@@ -123,7 +122,7 @@ TEST(JsonReport, SaysWhatIsSeenFromInside) {
 TEST(JsonReport, NamesTheRivalOrNone) {
   FileReport report = fourKinds();
   report.detections.items[3].rival = Kind::cylinder;
-  const Json primitives = Json::parse(reportJson(report))["primitives"];
+  const Json primitives = test::parsedJson(reportJson(report))["primitives"];
   EXPECT_EQ(primitives[3]["rival"], "cylinder");
   EXPECT_TRUE(primitives[2]["rival"].is_null());
 }
@@ -131,14 +130,14 @@ TEST(JsonReport, NamesTheRivalOrNone) {
 TEST(JsonReport, CountsWhatWasRefused) {
   FileReport report = fourKinds();
   report.detections.refusals[Refusal::limits] = 7;
-  const Json refused = Json::parse(reportJson(report))["refused"];
+  const Json refused = test::parsedJson(reportJson(report))["refused"];
   EXPECT_EQ(refused, Json({{"few inliers", 0}, {"limits", 7}, {"unlikely", 0}}));
 }
 
 TEST(JsonReport, SaysWhyNothingCameOut) {
   FileReport empty;
   empty.detections.status = Status::empty_input;
-  const Json json = Json::parse(reportJson(empty));
+  const Json json = test::parsedJson(reportJson(empty));
   EXPECT_EQ(json["status"], "empty_input");
   EXPECT_TRUE(json["primitives"].is_array());
   EXPECT_TRUE(json["primitives"].empty());
@@ -148,7 +147,7 @@ TEST(JsonReport, ListsSeveralFilesWithThoseThatFailed) {
   FileReport failed;
   failed.file = "broken\xff.pcd";  // not UTF-8
   failed.error = "broken.pcd: is empty (0 bytes)";
-  const Json json = Json::parse(reportsJson({fourKinds(), failed}));
+  const Json json = test::parsedJson(reportsJson({fourKinds(), failed}));
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[0]["primitives"].size(), 4u);
   EXPECT_EQ(json[1]["error"], failed.error);

@@ -3,21 +3,22 @@
 // The stages that a detector goes through in a frame.
 #pragma once
 
-#include <regex>
 #include <string>
 
 #include "primitect/detector.h"
 
 namespace primitect::test {
 
-/// Names of the stages in their order. Votes and what is made of them, or of new samples before, take turns: each run
-/// of turns counts as one.
+/// Votes and what is made of them, or of new samples before, take turns: each run of turns becomes one.
+std::string turnsAsOne(const std::string& stages);
+
+/// Names of the stages in their order, turns as one.
 inline std::string stagesOf(Detector& detector, const Cloud& cloud, const Effort& effort = {}) {
   std::string stages;
   detector.onStageDone([&stages](const char* stage) { stages += std::string(stage) + " "; });
   detector.detect(cloud, effort);
   detector.onStageDone(nullptr);
-  return std::regex_replace(stages, std::regex("(segment )?vote (vote |segment )*segment "), "vote segment ");
+  return turnsAsOne(stages);
 }
 
 }  // namespace primitect::test
