@@ -37,9 +37,11 @@ void checkRecipe(const Recipe& recipe) {
   const Recipe usual;
   const UsedBySet used = usedBySet(recipe.set);
   checkUnused(used.sigma, recipe, "sigma", recipe.sigma, usual.sigma);
-  checkUnused(used.noise_scale, recipe, "noise_scale", recipe.noise_scale, usual.noise_scale);
+  checkUnused(used.depth_frame, recipe, "noise_scale", recipe.noise_scale, usual.noise_scale);
+  checkUnused(used.depth_frame, recipe, "width", recipe.width, usual.width);
   checkUnused(used.outliers, recipe, "outliers", recipe.outliers, usual.outliers);
   check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
+  check(recipe.width >= 160 && recipe.width <= 2560, "width", recipe.width, "160 to 2560");
   check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
   check(recipe.uneven >= 1.0 && recipe.uneven <= 1000.0, "uneven", recipe.uneven, "1 to 1000");
 }
@@ -51,7 +53,8 @@ std::string describe(const Recipe& recipe) {
     if (said) text += (text.empty() ? "" : ", ") + what;
   };
   add(used.sigma, "sigma " + numberText(recipe.sigma));
-  add(used.noise_scale, "noise x " + numberText(recipe.noise_scale));
+  add(used.depth_frame, "noise x " + numberText(recipe.noise_scale));
+  add(recipe.width != Recipe().width, "width " + numberText(recipe.width));
   add(recipe.outliers != 0.0, "outliers " + numberText(recipe.outliers));
   add(recipe.keep != 1.0, "keep " + numberText(recipe.keep));
   add(recipe.uneven != 1.0, "uneven " + numberText(recipe.uneven));

@@ -14,6 +14,7 @@ struct Recipe {
   std::uint64_t seed = 1;
   double sigma = 0.01;       ///< m, noise of the paper's sets; of the parts the half width of the uniform noise
   double noise_scale = 1.0;  ///< times the noise of the simulated depth sensor
+  int width = 640;           ///< columns of the depth frames, 4 : 3, [160, 2560]
   double outliers = 0.0;     ///< share of points thrown anywhere into the bounding box, [0, 1)
   double keep = 1.0;         ///< share of the points that is kept, drawn at random, (0, 1]
   double uneven = 1.0;       ///< from one side of the cloud to the other this many times fewer points, [1, 1000]
@@ -25,7 +26,7 @@ struct Recipe {
 
 /// Which of the values a set uses; every set knows keep, uneven, shuffle and robot_frame.
 struct UsedBySet {
-  bool sigma, noise_scale, outliers;
+  bool sigma, depth_frame, outliers;
 };
 UsedBySet usedBySet(const std::string& set);
 

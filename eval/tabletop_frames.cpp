@@ -28,6 +28,11 @@ struct View {
   Eigen::Isometry3d world_from_camera;
 };
 
+std::uint32_t leastPixels(const Recipe& recipe) {
+  const double finer = recipe.width / static_cast<double>(PinholeCamera().width);
+  return static_cast<std::uint32_t>(std::lround(kLeastPixels * finer * finer));
+}
+
 /// Shapes are scored as if they had no end. Two faces in one plane, like the tops of two boxes of the same height, are
 /// therefore one true shape. Index of the plane that the item lies in, or the number of shapes.
 std::size_t indexOfSamePlane(const Detection& item, const std::vector<TrueShape>& truth) {
@@ -70,7 +75,7 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
       result.truth[t].exact = false;
     }
     pixels[t] += item.inlier_count;
-    result.truth[t].must = pixels[t] >= kLeastPixels && !item.concave;
+    result.truth[t].must = pixels[t] >= leastPixels(result.recipe) && !item.concave;
     label[surface_of_item[k]] = static_cast<int>(t);
   }
   result.surface.assign(frame.surface.size(), kNoShape);
@@ -154,11 +159,12 @@ LabelledCloud tabletopFrame(const Recipe& recipe) {
   constexpr double kMillimeter = 0.001;
   const View view{
       recipe.set == "clutter" ? synthetic::shapelessTable(recipe.seed) : synthetic::clutteredTable(recipe.seed),
-      PinholeCamera(), synthetic::clutterPose(recipe.seed)};
+      PinholeCamera().scaledTo(recipe.width, recipe.width * 3 / 4), synthetic::clutterPose(recipe.seed)};
   synthetic::FrameParams params;
   params.noise.scale = recipe.noise_scale;
   const Frame frame = renderFrame(view.world, view.camera, view.world_from_camera, params, recipe.seed, 0);
   LabelledCloud result;
+  result.recipe = recipe;
   result.from_sensor = true;
   result.unit = kMillimeter;
   result.rules.max_distance = 20.0 * kMillimeter;
@@ -175,7 +181,7 @@ void excuseThinned(LabelledCloud& frame) {
     if (frame.surface[i] >= 0 && frame.cloud.valid(i)) ++left[frame.surface[i]];
   }
   for (std::size_t t = 0; t < left.size(); ++t) {
-    if (left[t] < kLeastPixels) frame.truth[t].must = false;
+    if (left[t] < leastPixels(frame.recipe)) frame.truth[t].must = false;
   }
 }
 

@@ -375,12 +375,31 @@ TEST(TabletopFrames, AskForConvexShapesWithEnoughPixelsOnly) {
   }
 }
 
+TEST(Tabletop, OfAnotherWidthIsTheSameSceneInAsManyPixels) {
+  Recipe recipe = recipeOf("tabletop");
+  recipe.seed = 2;
+  const LabelledCloud usual = makeLabelledCloud(recipe);
+  recipe.width = 320;
+  const LabelledCloud coarse = makeLabelledCloud(recipe);
+  EXPECT_EQ(coarse.cloud.width, 320u);
+  EXPECT_EQ(coarse.cloud.height, 240u);
+  EXPECT_NEAR(4.0 * coarse.cloud.valid_count, usual.cloud.valid_count, 0.02 * usual.cloud.valid_count);
+  const auto needed = [](const LabelledCloud& cloud) {
+    return std::count_if(cloud.truth.begin(), cloud.truth.end(), [](const TrueShape& shape) { return shape.must; });
+  };
+  EXPECT_GE(needed(usual), 5);
+  EXPECT_NEAR(needed(coarse), needed(usual), 1) << "as large in the picture";
+}
+
 TEST(Recipe, WithAValueThatTheSetDoesNotUseIsRefused) {
   Recipe recipe = recipeOf("tabletop");
   recipe.sigma = 0.02;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
   recipe = recipeOf("paper-mixed");
   recipe.noise_scale = 2.0;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe = recipeOf("paper-mixed");
+  recipe.width = 1280;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
 }
 

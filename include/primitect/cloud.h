@@ -34,6 +34,7 @@ struct Cloud {
   std::uint32_t height = 0;        ///< above 1: organized, a pixel's neighbours are its neighbours in space
   std::uint32_t valid_count = 0;   ///< points that are not missing; who writes x, y and z keeps it (countPoints)
   std::uint32_t behind_count = 0;  ///< of these, points with z <= 0, where no depth camera measures
+  std::uint32_t step = 1;          ///< of what was an image every so many-th column and row is here (image_step.h)
 
   std::size_t size() const { return x.size(); }
   bool organized() const { return height > 1; }

@@ -148,7 +148,7 @@ struct Detections {
   std::vector<Detection> items;
   Status status = Status::ok;
   std::uint32_t points_in = 0;    ///< points received
-  std::uint32_t points_used = 0;  ///< of these, measured and within the depth range
+  std::uint32_t points_used = 0;  ///< of these, measured and within the depth range; of a large image extrapolated
   std::uint32_t samples = 0;      ///< points that voted
   double scene_diameter = 0.0;    ///< d_s (m), see Params::scene_diameter
   /// False: the points are not those of a sensor at the origin that looks along z, as is assumed. Then the image cannot

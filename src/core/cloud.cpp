@@ -20,6 +20,7 @@ void Cloud::prepare(std::uint32_t new_width, std::uint32_t new_height, bool with
   width = new_width;
   height = new_height;
   valid_count = behind_count = 0;
+  step = 1;
   for (std::vector<float>* values : {&x, &y, &z}) values->resize(count);
   for (std::vector<float>* values : {&nx, &ny, &nz}) values->resize(with_normals ? count : 0);
 }

@@ -84,16 +84,6 @@ void findBorder(const Cloud& cloud, ImageRays& rays) {
 
 }  // namespace
 
-ImageRays everySoMany(int step, const ImageRays& rays) {
-  ImageRays result = rays;
-  if (!rays.known) return result;
-  result.misfit /= step;
-  result.x_scale *= step, result.y_scale *= step;
-  result.first_column = (rays.first_column + step - 1) / step, result.first_row = (rays.first_row + step - 1) / step;
-  result.last_column = rays.last_column / step, result.last_row = rays.last_row / step;
-  return result;
-}
-
 PixelPitch pitchOf(const ImageRays& rays) {
   constexpr double kLargestMisfit = 0.05;  // px
   if (!rays.known || rays.misfit > kLargestMisfit) return {};

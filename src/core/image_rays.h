@@ -25,9 +25,6 @@ struct ImageRays {
   }
 };
 
-/// Of the image of every so many-th column and row, the first ones first.
-ImageRays everySoMany(int step, const ImageRays& rays);
-
 /// How much x/z grows from column to column, and y/z from row to row; 0: not known.
 struct PixelPitch {
   double u = 0.0, v = 0.0;

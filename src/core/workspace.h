@@ -17,7 +17,8 @@
 #include "core/search.h"
 #include "core/segmentation.h"
 #include "core/spare_outlines.h"
-#include "core/thinned_cloud.h"
+#include "core/thinned_image.h"
+#include "core/thinned_list.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
 
@@ -98,6 +99,8 @@ struct Detector::Workspace {
   bool out_of_time = false;        ///< in this frame
   bool brings_normals = false;     ///< the cloud of this frame, ones that are wanted
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
+  ThinnedImage thinned_image;
+  double each_pixel = 1.0;  ///< of this frame's thinned image: points of the cloud that it stands for
   Arrangement arrangement;
   PairVoting voting;
   Verification verification;
@@ -110,9 +113,9 @@ struct Detector::Workspace {
   List<Segment> segments;      ///< by votes alone
   Labeling labeling;
   List<std::uint64_t> unexplained;  ///< bits of the points that samples are drawn from
-  ThinnedCloud thinned;
+  ThinnedList thinned;
   Labeling labeling_of_thinned;
-  std::vector<std::uint32_t> labels;  ///< of the points of the thinned cloud
+  std::vector<std::uint32_t> labels;  ///< of the points of the thinned list
   List<bool> far_sides;               ///< which detections have points there
   List<LabelledPoints> points;        ///< of the detections
   NormalSource normal_source;         ///< of this frame

@@ -13,10 +13,9 @@
 
 namespace primitect {
 
-/// What the measures are taken from: the cloud, or where it is large a part of it. An image that was made of a cloud
-/// stays whole: its pixels stand for different numbers of points.
+/// What the measures are taken from: the cloud, or of a large list a part of it.
 void Detector::Workspace::thin(const Cloud& whole) {
-  arrangement.projected() ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
+  whole.organized() ? thinned.keep(whole) : thinned.begin(whole, labeling.someRuns());
   if (thinned.thinned()) labeling_of_thinned.begin(thinned.cloud());
 }
 
@@ -28,10 +27,10 @@ void Detector::Workspace::findPoints(Labeling& of_cloud) {
   if (arrangement.projected()) {  // a pixel may hold several points of the cloud
     const List<std::size_t> all = arrangement.projected()->pointsOfLabels(labels, points.size());
     for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
-    return;
   }
+  const double each = each_pixel * thinned.each();
   for (LabelledPoints& of_item : points) {
-    of_item.all = static_cast<std::size_t>(std::llround(thinned.each() * static_cast<double>(of_item.all)));
+    of_item.all = static_cast<std::size_t>(std::llround(each * static_cast<double>(of_item.all)));
   }
 }
 
@@ -62,8 +61,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
   const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(), rangeOf(params));
   // Pixels of a projected image are not where a camera's were.
-  const ImageRays rays =
-      arrangement.projected() ? ImageRays() : everySoMany(thinned.step(), raysOf(whole, normal_source));
+  const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
   Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
   List<bool> enough;
   for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -116,7 +114,8 @@ std::size_t Detector::Workspace::fewestPoints(Kind kind, const Cloud& cloud) {
   const double each = static_cast<double>(result.points_used) / static_cast<double>(std::max<std::size_t>(drawn, 1));
   const double least_pixels = (curved ? kOfCurved : 1.0) * pixelsOfSample(cloud);
   // As many as inliers were looked at; each of these stands for some of a large cloud.
-  return static_cast<std::size_t>(inliersAtThisEffort() * std::max({thinned.each(), least_share * each, least_pixels}));
+  const double least = std::max(each_pixel * std::max(thinned.each(), least_pixels), least_share * each);
+  return static_cast<std::size_t>(inliersAtThisEffort() * least);
 }
 
 }  // namespace primitect

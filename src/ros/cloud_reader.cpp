@@ -6,6 +6,8 @@
 #include <array>
 #include <cstring>
 
+#include "primitect/image_step.h"
+
 namespace primitect::ros_layer {
 namespace {
 
@@ -112,11 +114,27 @@ float readSlot(const std::uint8_t* point, Slot slot) {
   return value;
 }
 
+/// Every so many-th column and row of the points of a message.
+struct PointGrid {
+  const std::uint8_t* data;
+  std::uint32_t width, height;
+  std::size_t point_step, row_step;  // bytes
+
+  PointGrid(const PointCloud2& message, std::uint32_t step)
+      : data(message.data.data()),
+        width((message.width + step - 1) / step),
+        height((message.height + step - 1) / step),
+        point_step(std::size_t{message.point_step} * step),
+        row_step(std::size_t{message.row_step} * step) {}
+
+  const std::uint8_t* row(std::size_t number) const { return data + number * row_step; }
+};
+
 /// Floats alone, as nearly all messages bring them: each row is copied, then checked in vectors.
-void readFloats(const PointCloud2& message, const Slots& slots, const DepthRange& range, Cloud& cloud) {
-  const std::size_t width = message.width, step = message.point_step;
-  for (std::size_t row = 0; row < message.height; ++row) {
-    const std::uint8_t* point = message.data.data() + row * message.row_step;
+void readFloats(const PointGrid& grid, const Slots& slots, const DepthRange& range, Cloud& cloud) {
+  const std::size_t width = grid.width, step = grid.point_step;
+  for (std::size_t row = 0; row < grid.height; ++row) {
+    const std::uint8_t* point = grid.row(row);
     float *const x = cloud.x.data() + row * width, *const y = cloud.y.data() + row * width;
     float* const z = cloud.z.data() + row * width;
     for (std::size_t i = 0; i < width; ++i, point += step) {
@@ -132,13 +150,13 @@ bool areFloats(const Slots& slots) { return !slots[0].is_double && !slots[1].is_
 
 /// Calls store(index, a, b, c) for every point; without doubles the inner loop has no branch on the type.
 template <typename Store>
-void readTriples(const PointCloud2& message, Slots slots, Store store) {
+void readTriples(const PointGrid& grid, Slots slots, Store store) {
   const bool floats_only = areFloats(slots);
   std::size_t index = 0;
-  for (std::uint32_t row = 0; row < message.height; ++row) {
-    const std::uint8_t* point = message.data.data() + std::size_t{row} * message.row_step;
+  for (std::uint32_t row = 0; row < grid.height; ++row) {
+    const std::uint8_t* point = grid.row(row);
     if (floats_only) {
-      for (std::uint32_t column = 0; column < message.width; ++column, ++index, point += message.point_step) {
+      for (std::uint32_t column = 0; column < grid.width; ++column, ++index, point += grid.point_step) {
         float a, b, c;
         std::memcpy(&a, point + slots[0].offset, sizeof a);
         std::memcpy(&b, point + slots[1].offset, sizeof b);
@@ -146,18 +164,25 @@ void readTriples(const PointCloud2& message, Slots slots, Store store) {
         store(index, a, b, c);
       }
     } else {
-      for (std::uint32_t column = 0; column < message.width; ++column, ++index, point += message.point_step) {
+      for (std::uint32_t column = 0; column < grid.width; ++column, ++index, point += grid.point_step) {
         store(index, readSlot(point, slots[0]), readSlot(point, slots[1]), readSlot(point, slots[2]));
       }
     }
   }
 }
 
+/// The memory of the cloud stays, also that of earlier points.
+void readPositions(const PointGrid& grid, const Slots& slots, const DepthRange& range, bool with_normals,
+                   Cloud& cloud) {
+  cloud.prepare(grid.width, grid.height, with_normals);
+  if (areFloats(slots)) return readFloats(grid, slots, range, cloud);
+  readTriples(grid, slots, [&](std::size_t i, float x, float y, float z) { cloud.setPoint(i, x, y, z, range); });
+}
+
 }  // namespace
 
-std::string readCloud(const sensor_msgs::PointCloud2& message, const DepthRange& range, bool with_normals,
-                      Cloud& cloud) {
-  with_normals = with_normals && bringsNormals(message);
+std::string readCloud(const PointCloud2& message, const DepthRange& range, const Wanted& wanted, Cloud& cloud) {
+  const bool with_normals = wanted.normals && bringsNormals(message);
   const bool empty = message.width == 0 || message.height == 0;
   Slots position, normal;
   std::string error = empty ? std::string() : checkMessage(message, with_normals, position, normal);
@@ -165,16 +190,16 @@ std::string readCloud(const sensor_msgs::PointCloud2& message, const DepthRange&
     cloud.prepare(0, 0, false);
     return error;
   }
-  // The memory stays, also that of earlier points.
-  cloud.prepare(message.width, message.height, with_normals);
-  if (areFloats(position)) {
-    readFloats(message, position, range, cloud);
-  } else {
-    readTriples(message, position,
-                [&](std::size_t i, float x, float y, float z) { cloud.setPoint(i, x, y, z, range); });
+  int step = wanted.all_points ? 1 : largestImageStep(message.width, message.height);
+  for (int before = 0; step != before;) {
+    readPositions(PointGrid(message, static_cast<std::uint32_t>(step)), position, range, with_normals, cloud);
+    before = step;
+    step = imageStepFor(step, cloud.valid_count);
   }
+  cloud.step = static_cast<std::uint32_t>(step);
   if (with_normals) {
-    readTriples(message, normal, [&](std::size_t i, float x, float y, float z) { cloud.setNormal(i, x, y, z); });
+    readTriples(PointGrid(message, cloud.step), normal,
+                [&](std::size_t i, float x, float y, float z) { cloud.setNormal(i, x, y, z); });
   }
   return {};
 }

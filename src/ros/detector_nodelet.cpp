@@ -124,7 +124,8 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   const std::string sensor = frameName(pipeline_->params().sensor_frame);
   const std::string& source = cloud.header.frame_id;
   sensor_header_ = cloud.header;
-  if (sensor.empty() || sensor == frameName(source)) return pipeline_->process(cloud);
+  with_labels_ = labels_.getNumSubscribers() > 0;
+  if (sensor.empty() || sensor == frameName(source)) return pipeline_->process(cloud, with_labels_);
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
@@ -133,7 +134,7 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
     return pipeline_->withoutTransform(cloud.header, "no transform " + from_to + ": " + error.what());
   }
-  PrimitiveArray& message = pipeline_->process(cloud, sensor_from_cloud);
+  PrimitiveArray& message = pipeline_->process(cloud, with_labels_, sensor_from_cloud);
   message.header.frame_id = sensor;
   return message;
 }
@@ -204,7 +205,7 @@ void DetectorNodelet::publish(const PrimitiveArray& message) {
     markers_.publish(marker_writer_.update(message, marker_style_));
   }
   if (!pipeline_->hasCloud()) return;
-  if (labels_.getNumSubscribers() > 0) labels_.publish(pipeline_->labels(sensor_header_));
+  if (with_labels_ && labels_.getNumSubscribers() > 0) labels_.publish(pipeline_->labels(sensor_header_));
   if (normals_.getNumSubscribers() > 0) normals_.publish(pipeline_->normals(sensor_header_));
 }
 

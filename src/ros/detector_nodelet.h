@@ -67,6 +67,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   MarkerStyle marker_style_;
   ros::Time last_stamp_;
   std_msgs::Header sensor_header_;  ///< of the last cloud, in the frame where it was searched
+  bool with_labels_ = false;        ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
   bool told_not_from_origin_ = false;
   bool told_silent_ = false;

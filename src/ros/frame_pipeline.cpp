@@ -65,11 +65,13 @@ void FramePipeline::published() {
   if (governor_ && status_ == Status::ok) governor_->endFrame(times_.elapsed());
 }
 
-PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message,
+PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, bool with_labels,
                                        const std::optional<Eigen::Isometry3d>& sensor_from_cloud) {
   static const Detections kRejected = nothing(Status::rejected_input);
   const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
-  problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, params().use_cloud_normals, cloud_);
+  // How many points of a moved cloud are within the range, and enough, shows when it was moved.
+  const Wanted wanted = {params().use_cloud_normals, with_labels || sensor_from_cloud};
+  problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, wanted, cloud_);
   has_cloud_ = problem_.empty();
   if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
@@ -77,7 +79,9 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message,
   status_ = detections.status;
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
-  return message_writer_.write(detections, message.header);
+  PrimitiveArray& written = message_writer_.write(detections, message.header);
+  if (has_cloud_) written.points_in = message.width * message.height;
+  return written;
 }
 
 PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, const std::string& problem) {

@@ -33,8 +33,9 @@ class FramePipeline {
   /// Reads the cloud, moves it to the sensor where it comes in another frame, and detects: primitives are in the frame
   /// of the sensor. When the status is not OK, problem() says why. processing_time is left 0.
   /// With max_latency, times().begin() is when the frame came.
+  /// with_labels: labels() will be asked for. Else large images are read no finer than they are worked on.
   /// The result may be changed; it is valid until the next call.
-  PrimitiveArray& process(const sensor_msgs::PointCloud2& message,
+  PrimitiveArray& process(const sensor_msgs::PointCloud2& message, bool with_labels = false,
                           const std::optional<Eigen::Isometry3d>& sensor_from_cloud = std::nullopt);
 
   /// For a cloud whose place is not known: no primitives, status NO_TRANSFORM, and this problem.
@@ -64,7 +65,7 @@ class FramePipeline {
   /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.
   bool normalsFaceAway() const { return has_cloud_ && detector_.result().normals_face_away; }
 
-  /// Of the last cloud, if there is one, where the sensor is at the origin.
+  /// Of the last cloud, if there is one, where the sensor is at the origin; labels of what was processed with them.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;
 

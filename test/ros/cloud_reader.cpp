@@ -7,18 +7,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include "cloud_messages.h"
+#include "core/thinned_image.h"
 
 namespace primitect {
 namespace {
 
 using ros_layer::readCloud;
+using ros_layer::Wanted;
 using test::makeField;
 using test::plainCloud;
 using test::put;
 
 const DepthRange kAnyDepth;
+constexpr Wanted kEverything = {true, true}, kPositions = {false, true};
 
 void expectGrid(const Cloud& cloud, std::uint32_t width, std::uint32_t height) {
   ASSERT_EQ(cloud.width, width);
@@ -39,8 +44,8 @@ void expectGrid(const Cloud& cloud, std::uint32_t width, std::uint32_t height) {
 void expectRefused(const sensor_msgs::PointCloud2& message, const std::vector<std::string>& said,
                    bool with_normals = true) {
   Cloud cloud;
-  ASSERT_EQ(readCloud(plainCloud(), kAnyDepth, true, cloud), "");
-  const std::string error = readCloud(message, kAnyDepth, with_normals, cloud);
+  ASSERT_EQ(readCloud(plainCloud(), kAnyDepth, kEverything, cloud), "");
+  const std::string error = readCloud(message, kAnyDepth, {with_normals, true}, cloud);
   for (const std::string& text : said)
     EXPECT_NE(error.find(text), std::string::npos) << "'" << text << "' in: " << error;
   EXPECT_NE(error.find("expected"), std::string::npos) << error;
@@ -50,7 +55,7 @@ void expectRefused(const sensor_msgs::PointCloud2& message, const std::vector<st
 
 TEST(CloudReader, ReadsAnOrganizedCloud) {
   Cloud cloud;
-  EXPECT_EQ(readCloud(plainCloud(4, 3), kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(plainCloud(4, 3), kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 4, 3);
   EXPECT_TRUE(cloud.organized());
   EXPECT_FALSE(cloud.hasNormals());
@@ -58,20 +63,20 @@ TEST(CloudReader, ReadsAnOrganizedCloud) {
 
 TEST(CloudReader, ReadsAnUnorganizedCloud) {
   Cloud cloud;
-  EXPECT_EQ(readCloud(plainCloud(7, 1), kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(plainCloud(7, 1), kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 7, 1);
   EXPECT_FALSE(cloud.organized());
 }
 
 TEST(CloudReader, ReadsAnyFieldOrderWithPaddingInPointsAndRows) {
   Cloud cloud;
-  EXPECT_EQ(readCloud(test::gridCloud<float>(4, 3, {17, 1, 9}, 23, 5), kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(test::gridCloud<float>(4, 3, {17, 1, 9}, 23, 5), kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 4, 3);
 }
 
 TEST(CloudReader, ReadsDoubles) {
   Cloud cloud;
-  EXPECT_EQ(readCloud(test::gridCloud<double>(4, 3, {16, 0, 8}, 27, 3), kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(test::gridCloud<double>(4, 3, {16, 0, 8}, 27, 3), kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 4, 3);
 }
 
@@ -82,7 +87,7 @@ TEST(CloudReader, ReadsFloatsAndDoublesMixed) {
     for (std::uint32_t column = 0; column < 4; ++column) put(message, row, column, 16, 0.1 * (1 + column + row));
   }
   Cloud cloud;
-  EXPECT_EQ(readCloud(message, kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 4, 3);
 }
 
@@ -90,7 +95,7 @@ TEST(CloudReader, DoesNotNeedThePaddingAfterTheLastRow) {
   auto message = test::gridCloud<float>(4, 3, {0, 4, 8}, 12, 100);
   message.data.resize(message.data.size() - 100);
   Cloud cloud;
-  EXPECT_EQ(readCloud(message, kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 4, 3);
 }
 
@@ -101,7 +106,7 @@ TEST(CloudReader, TakesZeroNanAndInfinityAsMissing) {
   put(message, 0, 1, 4, std::numeric_limits<float>::quiet_NaN());
   put(message, 0, 2, 8, infinity);
   Cloud cloud;
-  EXPECT_EQ(readCloud(message, kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
   EXPECT_EQ(cloud.valid_count, 1u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_FALSE(cloud.valid(i));
@@ -114,13 +119,13 @@ TEST(CloudReader, TakesDoublesBeyondFloatsAsMissing) {
   auto message = test::gridCloud<double>(2, 1, {0, 8, 16}, 24, 0);
   put(message, 0, 0, 16, 1e300);
   Cloud cloud;
-  EXPECT_EQ(readCloud(message, kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
   EXPECT_EQ(cloud.valid_count, 1u);
 }
 
 TEST(CloudReader, CutsDepthsOutsideTheRange) {
   Cloud cloud;
-  EXPECT_EQ(readCloud(plainCloud(6, 1), DepthRange{0.25f, 0.45f}, true, cloud), "");  // z = 0.1 ... 0.6
+  EXPECT_EQ(readCloud(plainCloud(6, 1), DepthRange{0.25f, 0.45f}, kEverything, cloud), "");  // z = 0.1 ... 0.6
   EXPECT_EQ(cloud.size(), 6u);
   EXPECT_EQ(cloud.valid_count, 2u);
   EXPECT_TRUE(cloud.valid(2) && cloud.valid(3));
@@ -135,11 +140,11 @@ TEST(CloudReader, KeepsTheLengthOfNormalsAtOne) {
     put(message, 0, 1, 12 + 4 * i, 0.0f);
   }
   Cloud cloud;
-  EXPECT_EQ(readCloud(message, kAnyDepth, true, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
   ASSERT_TRUE(cloud.hasNormals());
   EXPECT_FLOAT_EQ(cloud.nz[0], -1.0f);
   EXPECT_TRUE(std::isnan(cloud.nz[1]));  // without length: missing
-  EXPECT_EQ(readCloud(message, kAnyDepth, false, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kPositions, cloud), "");
   EXPECT_FALSE(cloud.hasNormals());
 }
 
@@ -148,13 +153,57 @@ TEST(CloudReader, RefusesNormalsThatAreNotComplete) {
   message.fields.push_back(makeField("normal_x", 0, sensor_msgs::PointField::FLOAT32));
   expectRefused(message, {"normal_y", "missing"});
   Cloud cloud;
-  EXPECT_EQ(readCloud(message, kAnyDepth, false, cloud), "");
+  EXPECT_EQ(readCloud(message, kAnyDepth, kPositions, cloud), "");
+}
+
+/// A camera's image of a wall with a step, 25 % of the rows missing, and normals as doubles.
+sensor_msgs::PointCloud2 largeImage() {
+  auto message = test::gridCloud<float>(1282, 962, {4, 0, 8}, 40, 8);
+  const char* const names[] = {"normal_x", "normal_y", "normal_z"};
+  for (std::uint32_t k = 0; k < 3; ++k)
+    message.fields.push_back(makeField(names[k], 16 + 8 * k, sensor_msgs::PointField::FLOAT64));
+  for (std::uint32_t row = 0; row < message.height; ++row) {
+    for (std::uint32_t column = 0; column < message.width; ++column) {
+      put(message, row, column, 8, row % 4 == 3 ? 0.0f / 0.0f : 1.0f + 0.001f * static_cast<float>(column));
+      for (std::uint32_t k = 0; k < 3; ++k) put(message, row, column, 16 + 8 * k, k == 2 ? -2.0 : 0.0);
+    }
+  }
+  return message;
+}
+
+TEST(CloudReader, ReadsOfALargeImageWhatTheDetectorWouldTakeOfAllOfIt) {
+  const auto message = largeImage();
+  const DepthRange range = {0.1f, 2.0f};  // leaves a thousand columns
+  Cloud all, part;
+  ASSERT_EQ(readCloud(message, range, kEverything, all), "");
+  ASSERT_EQ(readCloud(message, range, {true, false}, part), "");
+  ASSERT_EQ(all.step, 1u);
+  ThinnedImage thinned;
+  const Cloud& expected = thinned.of(all);
+  ASSERT_EQ(part.step, 2u);
+  ASSERT_EQ(expected.step, 2u);
+  EXPECT_EQ(part.width, expected.width);
+  EXPECT_EQ(part.height, expected.height);
+  EXPECT_EQ(part.valid_count, expected.valid_count);
+  const auto same = [](const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+  };
+  for (const auto values : {&Cloud::x, &Cloud::y, &Cloud::z, &Cloud::nx, &Cloud::ny, &Cloud::nz})
+    EXPECT_TRUE(same(part.*values, expected.*values));
+}
+
+TEST(CloudReader, ReadsAllOfALargeImageWhereLittleIsWithinTheRange) {
+  Cloud cloud;
+  ASSERT_EQ(readCloud(largeImage(), {0.1f, 1.2f}, {true, false}, cloud), "");
+  EXPECT_EQ(cloud.step, 1u);
+  EXPECT_EQ(cloud.width, 1282u);
+  EXPECT_EQ(cloud.valid_count, 201u * 722u);
 }
 
 TEST(CloudReader, TakesACloudWithoutPointsAsEmpty) {
   for (const auto& message : {sensor_msgs::PointCloud2(), plainCloud(0, 3), plainCloud(3, 0)}) {
     Cloud cloud;
-    EXPECT_EQ(readCloud(message, kAnyDepth, true, cloud), "");
+    EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
     EXPECT_EQ(cloud.size(), 0u);
   }
 }

@@ -11,6 +11,9 @@
 #include <vector>
 
 #include "cloud_messages.h"
+#include "ros/synthetic_messages.h"
+#include "synthetic/frame.h"
+#include "synthetic/tabletop.h"
 
 namespace primitect {
 namespace {
@@ -116,6 +119,34 @@ TEST(FramePipeline, TellsWhereACloudWasSeenFromOnlyByItsPoints) {
   seenFromOrigin(behind);
   pipeline.withoutTransform({}, "no transform");
   EXPECT_EQ(pipeline.seenFromOrigin(), std::nullopt);
+}
+
+/// 1281 x 961 pixels of a table, with all of its points within the range.
+PointCloud2 largeFrame() {
+  const synthetic::PinholeCamera camera = synthetic::PinholeCamera().scaledTo(1281, 961);
+  const synthetic::Frame frame = renderFrame(synthetic::tabletop(1), camera, synthetic::cameraPose(2.0), {}, 1, 0);
+  return *depthCloud({}, frame.depth, camera);
+}
+
+std::vector<std::uint8_t> bytesOf(const PrimitiveArray& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+TEST(FramePipeline, FindsTheSameInALargeImageWhetherItReadsAllOfItOrEnough) {
+  const PointCloud2 message = largeFrame();
+  FramePipeline pipeline{Params()};
+  const std::vector<std::uint8_t> without_labels = bytesOf(pipeline.process(message));
+  const PrimitiveArray& with_labels = pipeline.process(message, true);
+  EXPECT_EQ(bytesOf(with_labels), without_labels);
+  EXPECT_GE(with_labels.primitives.size(), 4u);
+  EXPECT_EQ(with_labels.points_in, 1281u * 961u);
+  EXPECT_EQ(with_labels.points_used % 4, 0u) << "extrapolated";
+  const PointCloud2 labels = pipeline.labels({});
+  EXPECT_EQ(labels.width, 1281u);
+  EXPECT_EQ(labels.height, 961u);
 }
 
 TEST(FramePipeline, TellsEachStageAlsoAfterItsParametersChanged) {

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What shapes are measured on: of a large cloud a part that says as much.
+// What shapes are measured on: of a large cloud without order a part that says as much.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "core/frame_memory.h"
@@ -13,12 +12,11 @@
 namespace primitect {
 
 /// Of one frame after the other; its buffers are kept.
-class ThinnedCloud {
+class ThinnedList {
  public:
-  /// Of an image every so many-th column and row, as long as 640 x 360 pixels and 131072 measured points are left; of a
-  /// cloud without order so many of these runs. A cloud stays whole where these bounds leave no choice, and where its
-  /// missing points have a pattern that would leave it less than half of what it should. It must stay until the next
-  /// one.
+  /// Every so many-th of these runs of the cloud, as long as 131072 measured points are left. A cloud stays whole where
+  /// this bound leaves no choice, and where its missing points have a pattern that would leave it less than half of
+  /// what it should. It must stay until the next one.
   void begin(const Cloud& cloud, const PointRuns& some);
 
   /// All of it, however large.
@@ -26,19 +24,16 @@ class ThinnedCloud {
 
   bool thinned() const { return cloud_ == &part_; }
   const Cloud& cloud() const { return *cloud_; }
-  int step() const { return step_; }  ///< of an image: every so many-th column and row is left
   /// How many measured points of the whole cloud there are to one of these.
   double each() const { return each_; }
 
  private:
   double copy(const Cloud& whole, const PointRuns& some);
-  void thinImage(const Cloud& whole);
-  void thinRuns(const Cloud& whole);
+  void copyRuns(const Cloud& whole);
 
   const Cloud* cloud_ = nullptr;
   Cloud part_;
   List<std::uint32_t> left_;  ///< numbers of runs
-  int step_ = 1;
   double each_ = 1.0;
 };
 
