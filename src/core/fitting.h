@@ -52,6 +52,9 @@ struct RefineRules {
 /// beyond their tolerance have no influence. Nothing when it does not end in a finite shape.
 std::optional<Shape> refine(const Shape& start, const FitPoints& points, const RefineRules& rules = {});
 
+/// The same for points of a depth camera at the origin whose depths alone are wrong (along_rays.h).
+std::optional<Shape> refineAlongRays(const Shape& start, const FitPoints& points, const RefineRules& rules = {});
+
 /// The same for samples with another tolerance (m).
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
                             const std::function<double(const Vec3&)>& tolerance, const RefineRules& rules = {});

@@ -45,6 +45,7 @@ class Measurement {
     double most_trust;  ///< in its size, see trustInSize()
   };
 
+  bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
   Shape start(const Shape& shape);
   Shape fittedToClear(const Shape& start);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/along_rays.h"
 #include "core/fitting.h"
 #include "core/flat.h"
 #include "core/residuals.h"
@@ -58,14 +59,16 @@ bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, do
   return step.dot(right) <= share * share * equations.weight;
 }
 
-template <class T>
-std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules) {
+/// pointsFor(shape): what a step from this shape is made of.
+template <class T, class PointsFor>
+std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules,
+                                const PointsFor& pointsFor) {
   const int parameters = parameterCount(kindOf(shape));
   kernels::NormalEquations equations = {};
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
-                                     points.view(), scale, equations);
+                                     pointsFor(shape), scale, equations);
     const Gradient step = lengthOf(equations) * solve(parameters, equations);
     shape = steppedBeside(points.middle(), shape, step);
     if (!usable(shape)) return std::nullopt;
@@ -77,7 +80,14 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
 }  // namespace
 
 std::optional<Shape> refine(const Shape& start, const FitPoints& points, const RefineRules& rules) {
-  return std::visit([&](const auto& shape) { return refineKind(shape, points, rules); }, start);
+  const auto as_they_are = [&points](const auto&) { return points.view(); };
+  return std::visit([&](const auto& shape) { return refineKind(shape, points, rules, as_they_are); }, start);
+}
+
+std::optional<Shape> refineAlongRays(const Shape& start, const FitPoints& points, const RefineRules& rules) {
+  AlongRays along_rays(points);
+  const auto moved = [&along_rays](const auto& shape) { return along_rays.pointsFor(shape); };
+  return std::visit([&](const auto& shape) { return refineKind(shape, points, rules, moved); }, start);
 }
 
 std::optional<Shape> refine(const Shape& start, const SampleSet& set,
