@@ -13,6 +13,7 @@
 #include "core/determination.h"
 #include "core/extent.h"
 #include "core/fitting.h"
+#include "core/observed_part.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
 #include "core/strip.h"
@@ -50,10 +51,21 @@ Shape Measurement::unbiased(const Shape& fit) const {
   return limits_.hold(result) ? result : fit;
 }
 
-/// What tells a cylinder from a cone grows with the length that was seen, of which clear points lack both ends.
-Shape Measurement::start(const Shape& shape) {
+/// What tells a cylinder from a cone grows with the length that was seen, of which clear points lack both ends. But
+/// beyond what the samples saw of it, a bottle has its neck: points there would make a cone of it.
+Shape Measurement::start(const Detection& found) {
+  const Shape& shape = found.shape;
   if (kindOf(shape) != Kind::cylinder && kindOf(shape) != Kind::cone) return shape;
-  fit_points_.gather(points_, noise_);
+  const ObservedPart part(shape, found.extent);
+  SeenPoints seen;
+  seen.origin = points_.origin;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const Vec3 point = points_.point(k);
+    const Eigen::Vector3f p = point.cast<float>();
+    if (!part.holds(p.x(), p.y(), p.z(), static_cast<float>(kInlierDeviations * sigma_(point)))) continue;
+    seen.x.push_back(points_.x[k]), seen.y.push_back(points_.y[k]), seen.z.push_back(points_.z[k]);
+  }
+  fit_points_.gather(seen, noise_);
   return refineOnPoints(shape, fit_points_, limits_);
 }
 
@@ -79,10 +91,10 @@ Uncertainty Measurement::uncertaintyOf(const Shape& fit, const Extent& extent) c
 /// What is no part of the surface stands out from a fit that it has bent only after some fits without the worst of it.
 /// Among clutter any fit gets better by leaving out what contradicts it: it earns no more trust by that.
 Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface,
-                                     const Shape& shape) {
+                                     const Detection& found) {
   constexpr int kTimes = 3;
   clear_.gather(cloud_, clear);
-  const Shape from = start(shape);
+  const Shape from = start(found);
   Fit fit = {fittedToClear(from), 1.0};
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape, clear);
@@ -99,7 +111,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
                           Detection& detection) {
   points_.gather(cloud_, labelled.index);
   const Kind kind = kindOf(detection.shape);
-  const Fit fit = fitted(clear, on_surface, detection.shape);
+  const Fit fit = fitted(clear, on_surface, detection);
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;

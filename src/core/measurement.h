@@ -47,10 +47,10 @@ class Measurement {
 
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
-  Shape start(const Shape& shape);
+  Shape start(const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
-  Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Shape& shape);
+  Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found);
 
   const Cloud& cloud_;
   ImageRays rays_;

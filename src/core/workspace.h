@@ -88,6 +88,7 @@ struct Detector::Workspace {
 
   void thin(const Cloud& whole);
   void findPoints(Labeling& of_cloud);
+  void lengthen(double factor);
   void keepToTops();
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);

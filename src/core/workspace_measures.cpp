@@ -53,9 +53,20 @@ void Detector::Workspace::keepToTops() {
   }
 }
 
+/// Samples end before the surface does, at the tip of a cone by a fifth of its length: points are looked for beyond.
+void Detector::Workspace::lengthen(double factor) {
+  for (Detection& item : result.items) {
+    const Kind kind = kindOf(item.shape);
+    if (kind == Kind::cylinder || kind == Kind::cone) item.extent.size.z() *= factor;
+  }
+}
+
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
+  constexpr double kLonger = 1.5;
   thin(whole);
+  if (depth_camera) lengthen(kLonger);
   findPoints(thinned.thinned() ? labeling_of_thinned : labeling);
+  if (depth_camera) lengthen(1.0 / kLonger);
   keepToTops();
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};

@@ -3,6 +3,10 @@
 // Read, detect, write: each once a frame.
 #include "frame_pipeline.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
 #include "cloud_reader.h"
 #include "output_clouds.h"
 #include "primitect/detector.h"
@@ -80,7 +84,8 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
   PrimitiveArray& written = message_writer_.write(detections, message.header);
-  if (has_cloud_) written.points_in = message.width * message.height;
+  written.points_in = static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{message.width} * message.height,
+                                                                         std::numeric_limits<std::uint32_t>::max()));
   return written;
 }
 

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/extent.h"
 #include "primitect/detector.h"
 #include "test/support/hypotheses.h"
 #include "test/support/linear_algebra.h"
@@ -246,6 +247,11 @@ TEST(Measurement, NamesWhatAShapeWasTakenForAsItsRival) {
   Detection detection;
   detection.shape = Cylinder{seen.point - radius * seen.normal, along, radius};
   detection.rival = Kind::cone;
+  List<std::uint32_t> all(cloud.size());
+  std::iota(all.begin(), all.end(), 0u);
+  SeenPoints points;
+  points.gather(cloud, all);
+  detection.extent = measureExtent(detection.shape, points);
   const double wide = 0.02;  // m: all of the cone's points are within reach of the cylinder
   detection = measuredOn(cloud, {wide, 0.0, 0.5}, detection);
   ASSERT_EQ(kindOf(detection.shape), Kind::cone);

@@ -60,6 +60,16 @@ TEST(FramePipeline, SaysWhatTooFewPointsLack) {
 
 TEST(FramePipeline, SearchesTheFewestPointsThatItNames) { EXPECT_EQ(problemOf(measured(16), PrimitiveArray::OK), ""); }
 
+TEST(FramePipeline, CountsThePointsOfWhatItRefuses) {
+  PointCloud2 message = measured(40);
+  message.fields.pop_back();
+  FramePipeline pipeline{Params()};
+  const PrimitiveArray& answer = pipeline.process(message);
+  EXPECT_EQ(answer.status, PrimitiveArray::REJECTED_INPUT);
+  EXPECT_EQ(answer.points_in, 40u);
+  EXPECT_EQ(answer.points_used, 0u);
+}
+
 TEST(FramePipeline, SaysThatAllPointsAreInOnePlace) {
   PointCloud2 message = test::plainCloud(5, 5);
   for (std::uint32_t i = 0; i < 25; ++i) {

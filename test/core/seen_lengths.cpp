@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Ends of axes, against those of the part that a depth camera sees.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "primitect/detector.h"
+#include "synthetic/clutter.h"
+#include "synthetic/frame.h"
+
+namespace primitect {
+namespace {
+
+/// Of this kind and in about this place; null: none.
+const Detection* foundAs(const Detection& truth, const Detections& found) {
+  constexpr double kNear = 0.03;  // m
+  for (const Detection& item : found.items) {
+    const bool same = kindOf(item.shape) == kindOf(truth.shape) && item.concave == truth.concave;
+    if (same && (item.extent.origin - truth.extent.origin).norm() < kNear) return &item;
+  }
+  return nullptr;
+}
+
+TEST(SeenLengths, GoNearlyToTheEndsOfCylindersAndCones) {
+  std::map<Kind, std::vector<double>> shares;
+  for (std::uint64_t seed = 2500; seed < 2512; ++seed) {
+    const synthetic::PinholeCamera camera;
+    const synthetic::FrameParams params;
+    const synthetic::Frame frame =
+        renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
+    Cloud cloud;
+    cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
+    Detector detector{Params()};
+    const Detections& found = detector.detect(cloud);
+    for (const Detection& truth : frame.truth.items) {
+      const Kind kind = kindOf(truth.shape);
+      if (kind != Kind::cylinder && kind != Kind::cone) continue;
+      const Detection* const item = foundAs(truth, found);
+      if (item) shares[kind].push_back(item->extent.size.z() / truth.extent.size.z());
+    }
+  }
+  for (auto& [kind, of_kind] : shares) {
+    SCOPED_TRACE(kindName(kind));
+    ASSERT_GE(of_kind.size(), 8u);
+    std::sort(of_kind.begin(), of_kind.end());
+    EXPECT_GT(of_kind[of_kind.size() / 2], 0.97);
+    EXPECT_GT(of_kind.front(), 0.8);
+    EXPECT_LT(of_kind.back(), 1.2);
+  }
+}
+
+}  // namespace
+}  // namespace primitect
