@@ -71,7 +71,7 @@ std::vector<Eigen::Vector3f> probeDirections() {
   return directions;
 }
 
-double coverageOf(const Sphere& sphere, const Extent&, const SeenPoints& inliers) {
+double coverageOf(const Sphere& sphere, const Extent&, const SeenPoints& inliers, Density) {
   static const std::vector<Eigen::Vector3f> kDirections = probeDirections();
   const SomePoints<kMostInliers> some(inliers);
   const auto feet = Feet<SomePoints<kMostInliers>::kRoom>(sphere, some);
@@ -121,6 +121,11 @@ struct Outline {
     }
     return sum;
   }
+  Eigen::AlignedBox2d box() const {
+    Eigen::AlignedBox2d around;
+    for (const Vec2& corner : corners) around.extend(corner);
+    return around;
+  }
 };
 
 /// Places all over a square of 1, evenly spread (R2 sequence).
@@ -135,24 +140,55 @@ std::vector<Vec2> spreadPlaces(std::size_t count) {
 }
 
 /// Points all over the outline.
-List<Vec2> probesIn(const Outline& outline, const Extent& extent) {
+List<Vec2> probesIn(const Outline& outline) {
   constexpr std::size_t kMostTimes = 10;
   static const std::vector<Vec2> kPlaces = spreadPlaces(kMostTimes * kProbes);
-  const double box = extent.size.x() * extent.size.y();
-  const auto draws =
-      static_cast<std::size_t>(kProbes * std::clamp(box / outline.area(), 1.0, static_cast<double>(kMostTimes)));
+  const Eigen::AlignedBox2d box = outline.box();
+  const double times = std::clamp(box.volume() / outline.area(), 1.0, static_cast<double>(kMostTimes));
+  const auto draws = static_cast<std::size_t>(kProbes * times);
   List<Vec2> probes;
   for (std::size_t k = 0; k < draws; ++k) {
-    const Vec2 probe = kPlaces[k].cwiseProduct(extent.size.head<2>());
+    const Vec2 probe = box.center() + kPlaces[k].cwiseProduct(box.sizes());
     if (outline.contains(probe)) probes.push_back(probe);
   }
   return probes;
 }
 
-double coverageOf(const Plane&, const Extent& extent, const SeenPoints& inliers) {
-  const auto flat = [&extent](const Vec3& p) -> Vec2 {
+/// The plane in two coordinates in which its points are equally dense.
+struct FlatView {
+  const Plane& plane;
+  const Extent& extent;
+  Density density;
+
+  Vec2 operator()(const Vec3& p) const {
+    // The image is upside down: counter-clockwise stays so.
+    if (density == Density::of_pixels) return {p.x() / p.z(), -p.y() / p.z()};
     return (extent.rotation.transpose() * (p - extent.origin)).head<2>();
-  };
+  }
+  /// Of the plane to a piece around here, up to a factor.
+  double area(const Vec2& place) const {
+    if (density != Density::of_pixels) return 1.0;
+    const double depth = plane.normal.dot(plane.point) / plane.normal.dot(Vec3(place.x(), -place.y(), 1.0));
+    return depth * depth * depth;
+  }
+};
+
+/// Some of so many points, one of each equal part of them: of a table in view, every 640th pixel in steps that never
+/// change would be a column of the image.
+List<std::size_t> scattered(std::size_t all) {
+  constexpr double kGolden = 0.6180339887498949;
+  const std::size_t count = std::min(all, kMostInliers);
+  List<std::size_t> some;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double within = std::fmod(kGolden * static_cast<double>(k), 1.0);
+    const double place = (static_cast<double>(k) + within) * static_cast<double>(all) / static_cast<double>(count);
+    some.push_back(std::min(static_cast<std::size_t>(place), all - 1));
+  }
+  return some;
+}
+
+double coverageOf(const Plane& plane, const Extent& extent, const SeenPoints& inliers, Density density) {
+  const FlatView flat = {plane, extent, density};
   const auto raised = [](const Vec2& p) {
     return Eigen::Vector3f(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f);
   };
@@ -160,22 +196,24 @@ double coverageOf(const Plane&, const Extent& extent, const SeenPoints& inliers)
   Outline outline;
   for (const Vec3& corner : extent.hull) outline.corners.push_back(flat(corner));
   // A line of points has no holes that could be told from its spacing.
-  if (!(outline.area() > 1e-6 * extent.size.squaredNorm())) return 1.0;
-  const SomePoints<kMostInliers> some(inliers);
+  if (!(outline.area() > 1e-6 * outline.box().sizes().squaredNorm())) return 1.0;
+  const List<std::size_t> some = scattered(inliers.size());
   Places points, possible;
-  for (std::size_t k = 0; k < some.count; ++k) points.add(raised(flat(some.point(k))), 1.0f);
+  for (const std::size_t k : some) points.add(raised(flat(inliers.point(k))), 1.0f);
   points.fillUp();
-  const List<Vec2> probes = probesIn(outline, extent);
+  const List<Vec2> probes = probesIn(outline);
   for (const Vec2& probe : probes) possible.add(raised(probe), 1.0f);
   possible.fillUp();
   const auto reach =
-      static_cast<float>(std::sqrt(kNeighbors * outline.area() / (M_PI * static_cast<double>(some.count))));
-  std::size_t hits = 0;
+      static_cast<float>(std::sqrt(kNeighbors * outline.area() / (M_PI * static_cast<double>(some.size()))));
+  double hit = 0.0, all = 0.0;
   for (const Vec2& probe : probes) {
+    const double area = flat.area(probe);
     const Around found(raised(probe), reach, points);
-    hits += covered(found, Around(raised(probe), reach, possible).mean(), reach) ? 1 : 0;
+    all += area;
+    if (covered(found, Around(raised(probe), reach, possible).mean(), reach)) hit += area;
   }
-  return probes.empty() ? 1.0 : static_cast<double>(hits) / static_cast<double>(probes.size());
+  return all > 0.0 ? hit / all : 1.0;
 }
 
 /// Sum of the arcs between neighbouring angles that leave no gap.
@@ -207,10 +245,10 @@ double arcAround(const Extent& extent, const SeenPoints& inliers, double least_r
   return arcOf(std::move(angles));
 }
 
-double coverageOf(const Cylinder& cylinder, const Extent& extent, const SeenPoints& inliers) {
+double coverageOf(const Cylinder& cylinder, const Extent& extent, const SeenPoints& inliers, Density) {
   return observedArc(cylinder, extent, inliers) / (2.0 * M_PI);
 }
-double coverageOf(const Cone& cone, const Extent& extent, const SeenPoints& inliers) {
+double coverageOf(const Cone& cone, const Extent& extent, const SeenPoints& inliers, Density) {
   return observedArc(cone, extent, inliers) / (2.0 * M_PI);
 }
 
@@ -230,9 +268,9 @@ double observedArc(const Shape& shape, const Extent& extent, const SeenPoints& i
   return 2.0 * M_PI;
 }
 
-float measureCoverage(const Shape& shape, const Extent& extent, const SeenPoints& inliers) {
+float measureCoverage(const Shape& shape, const Extent& extent, const SeenPoints& inliers, Density density) {
   if (inliers.empty()) return 0.0f;
-  const double share = std::visit([&](const auto& s) { return coverageOf(s, extent, inliers); }, shape);
+  const double share = std::visit([&](const auto& s) { return coverageOf(s, extent, inliers, density); }, shape);
   return static_cast<float>(std::clamp(share, 0.0, 1.0));
 }
 

@@ -118,7 +118,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.extent = measureExtent(detection.shape, points_, std::move(detection.extent.hull));
   detection.inlier_count = static_cast<std::uint32_t>(labelled.all);
   detection.rms_error = rmsDistance(detection.shape, points_);
-  detection.coverage = measureCoverage(detection.shape, detection.extent, points_);
+  const Density density = noise_.ofDepthCamera() ? Density::of_pixels : Density::of_surface;
+  detection.coverage = measureCoverage(detection.shape, detection.extent, points_, density);
   detection.confidence *=
       static_cast<float>(trustInShare(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);

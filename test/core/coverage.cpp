@@ -165,6 +165,38 @@ TEST(PlaneCoverage, OfAnAngleIsItsShareOfTheHull) {
   EXPECT_NEAR(coverageOf(kPlane, points), 0.75 / 0.875, kTolerance);
 }
 
+/// Pixels of a camera that sees a table up to 2 m away at a slant, for which keep(point) holds.
+template <class Keep>
+std::vector<Vec3> pixelsOf(const Plane& table, int width, const Keep& keep) {
+  std::vector<Vec3> points;
+  for (int row = 0; row < 400; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const Vec3 ray((column - 0.5 * width) / width, (row - 200) / 500.0, 1.0);
+      const double depth = table.normal.dot(table.point) / table.normal.dot(ray);
+      if (0.0 < depth && depth < 2.0 && keep(depth)) points.push_back(depth * ray);
+    }
+  }
+  return points;
+}
+
+TEST(PlaneCoverage, OfATableSeenAtASlantIsThatOfItsSurface) {
+  const double tilt = 35.0 * kDegree;
+  const Plane table = {Vec3(0.0, 0.1, 1.0), Vec3(0.0, -std::cos(tilt), -std::sin(tilt))};
+  const auto coverage = [&table](int width, const auto& keep, Density density) {
+    const std::vector<Vec3> points = pixelsOf(table, width, keep);
+    return measureCoverage(table, measureExtent(table, points), points, density);
+  };
+  const auto everywhere = [](double) { return true; };
+  EXPECT_LT(coverage(100, everywhere, Density::of_surface), 0.9f) << "or this tells nothing";
+  // So many widths that steps of some hundred points are a row, or nearly.
+  for (int width = 100; width < 108; ++width)
+    EXPECT_GT(coverage(width, everywhere, Density::of_pixels), 0.97f) << width;
+  // It reaches from 0.73 to 2 m, as wide as it is far away: of an area of (4 - 0.53) / 2, what is between 1.2 and 1.6 m
+  // is 0.32.
+  const auto near_and_far = [](double depth) { return depth < 1.2 || depth > 1.6; };
+  EXPECT_NEAR(coverage(100, near_and_far, Density::of_pixels), 0.68f, 0.08f);
+}
+
 TEST(Coverage, IsNoneWithoutInliersAndAShareWithAFew) {
   for (const Shape& shape : {Shape(kPlane), Shape(kSphere), Shape(kCylinder), Shape(kCone)}) {
     EXPECT_EQ(measureCoverage(shape, {}, {}), 0.0f);
