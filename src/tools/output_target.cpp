@@ -41,6 +41,17 @@ std::vector<std::string> pathsInside(const std::string& option, const fs::path& 
   return paths;
 }
 
+/// A name that promises another format would be read as that.
+void refuseOtherFormats(const std::string& option, const std::string& output, const std::string& extension) {
+  const std::string own = fs::path(output).extension().string();
+  for (const char* other : {".json", ".ply", ".png", ".pcd", ".jpg", ".jpeg", ".yaml"}) {
+    if (own == other && own != extension) {
+      throw std::invalid_argument(option + ": " + output + " would not be a " + own.substr(1) +
+                                  " file; what is written is " + extension.substr(1));
+    }
+  }
+}
+
 }  // namespace
 
 OutputTarget::OutputTarget(const std::string& option, const std::string& value, const std::string& extension,
@@ -58,6 +69,7 @@ OutputTarget::OutputTarget(const std::string& option, const std::string& value, 
     throw std::invalid_argument(option + ": several files need a directory, '" + value + "' is none (append '/')");
   }
   refuseOverwriting(option, value, inputs);
+  refuseOtherFormats(option, value, extension);
 }
 
 void refuseSharedFiles(const std::vector<const OutputTarget*>& targets, std::size_t inputs) {

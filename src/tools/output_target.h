@@ -13,8 +13,8 @@ class OutputTarget {
  public:
   /// `value` is empty (no such output), "-", a file, or a directory: one that exists or a name that ends in '/', which
   /// is then made; it gets <stem of the input><extension> for each input. Throws std::invalid_argument naming the
-  /// option when two inputs would get the same file, when an output would overwrite an input, or when several inputs
-  /// share a file and `shared` is false.
+  /// option when two inputs would get the same file, when an output would overwrite an input or is named as
+  /// another format, or when several inputs share a file and `shared` is false.
   OutputTarget(const std::string& option, const std::string& value, const std::string& extension,
                const std::vector<std::string>& inputs, bool shared);
 

@@ -162,9 +162,15 @@ TEST_F(DetectProgram, RefusesTwoOutputsInOneFile) {
   const std::string file = path("result"), detour = path("no/../result");
   expectUsageError(ball + " --json " + file + " --labels " + file, {"--json", "--labels", "result"});
   expectUsageError(ball + " --json " + file + " --picture " + detour, {"--json", "--picture", "result"});
-  expectUsageError(ball + " --labels " + path("out/") + " --picture " + path("out/ball.ply"),
-                   {"--labels", "--picture"});
+  expectUsageError(ball + " --labels " + path("out/") + " --json " + path("out/ball.ply"), {"--json", "ply"});
   EXPECT_EQ(read(file), "");
+}
+
+TEST_F(DetectProgram, RefusesOutputsThatAreNamedAsOtherFormats) {
+  expectUsageError(ball + " --labels " + path("labels.pcd"), {"--labels", "labels.pcd", "ply"});
+  expectUsageError(ball + " --picture " + path("picture.jpg"), {"--picture", "picture.jpg", "png"});
+  expectUsageError(ball + " --json " + path("result.yaml"), {"--json", "result.yaml", "json"});
+  EXPECT_EQ(run(ball + " --json " + path("result.txt")), 0) << err;
 }
 
 TEST_F(DetectProgram, ReportsOutputsThatCannotBeWritten) {
