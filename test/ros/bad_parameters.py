@@ -14,11 +14,11 @@ from ros_helpers import PATIENCE, Collector, wait_for
 from rosgraph_msgs.msg import Log
 
 
-def run(program, values):
+def run(program, values, arguments=()):
     """Exit code and output of a plain node with these private parameters; None when it kept running."""
     rospy.set_param("/tested", values)
     # Not rosrun: it passes over a build folder within the package.
-    command = [roslib.packages.find_node("primitect", program)[0], "__name:=tested"]
+    command = [roslib.packages.find_node("primitect", program)[0], "__name:=tested", *arguments]
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE,
                               check=False)
@@ -54,6 +54,17 @@ class BadParameters(unittest.TestCase):
         self.refused("synthetic_camera", {"rat": 30}, ["rat"])
         self.refused("synthetic_camera", {"rate": 0}, ["rate", "0.1 to 200"])
         self.refused("synthetic_camera", {"depth_encoding": "8UC1"}, ["depth_encoding", "8UC1", "16UC1"])
+
+    def test_arguments_that_are_no_names_end_a_node_and_help_says_what_it_is(self):
+        for program in ("detector", "synthetic_camera"):
+            with self.subTest(program):
+                code, output = run(program, {}, ["--help"])
+                self.assertEqual(code, 0, output)
+                self.assertIn("docs/ros_api.md", output)
+                code, output = run(program, {}, ["cloud.pcd"])
+                self.assertEqual(code, 2, output)
+                self.assertIn("cloud.pcd", output)
+                self.assertIn("--help", output)
 
     def load(self, name, values):
         """Loads the nodelet into the running manager, as roslaunch would."""
