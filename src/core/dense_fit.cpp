@@ -3,6 +3,7 @@
 // Gathering labelled points, and the last least squares; see dense_fit.h.
 #include "core/dense_fit.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -13,11 +14,30 @@
 
 namespace primitect {
 
-void pointsOfLabels(const std::vector<std::uint32_t>& labels, const List<std::size_t>& most,
+namespace {
+
+/// Adds the ends of a run in every row of the image that it passes through.
+void addRowEnds(const LabelRun& run, std::uint32_t width, List<std::uint32_t>& ends) {
+  constexpr std::uint32_t kFewest = 4;  // pixels: fewer may be of something that the surface passes through
+  for (std::uint32_t begin = run.begin, end = 0; begin < run.end; begin = end) {
+    const std::uint32_t row = begin / width;
+    end = std::min(run.end, (row + 1) * width);
+    if (end - begin < kFewest) continue;
+    if (!ends.empty() && ends.back() / width == row) {
+      ends.back() = end - 1;
+    } else {
+      ends.push_back(begin), ends.push_back(end - 1);
+    }
+  }
+}
+
+}  // namespace
+
+void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::uint32_t width, const List<std::size_t>& most,
                     List<LabelledPoints>& points) {
   const std::size_t count = most.size();
   points.resize(count);
-  for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.all = 0;
+  for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.row_ends.clear(), of_label.all = 0;
   List<LabelRun> runs;
   runs.reserve(labels.size() / kLabelsAtOnce);
   forLabelRuns(labels, [&](const LabelRun& run) {
@@ -32,6 +52,7 @@ void pointsOfLabels(const std::vector<std::uint32_t>& labels, const List<std::si
     std::size_t next = run.begin + rest[run.label - 1];
     for (; next < run.end; next += step) of_label.index.push_back(static_cast<std::uint32_t>(next));
     rest[run.label - 1] = next - run.end;
+    if (width > 0) addRowEnds(run, width, of_label.row_ends);
   }
 }
 

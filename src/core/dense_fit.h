@@ -17,11 +17,14 @@ namespace primitect {
 /// Points of one label.
 struct LabelledPoints {
   List<std::uint32_t> index;  ///< in the cloud, at most as many as asked for, evenly taken
-  std::size_t all = 0;        ///< how many carry the label
+  /// The outermost in each row of an image: all that its outline needs. Of a few pixels in a row none is.
+  List<std::uint32_t> row_ends;
+  std::size_t all = 0;  ///< how many carry the label
 };
 
-/// Points of the labels 1, 2, ..., of each at most as many as stands in `most`; other labels are none.
-void pointsOfLabels(const std::vector<std::uint32_t>& labels, const List<std::size_t>& most,
+/// Points of the labels 1, 2, ..., of each at most as many as stands in `most`; other labels are none. width: of the
+/// image, 0 for a list, which has no rows.
+void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::uint32_t width, const List<std::size_t>& most,
                     List<LabelledPoints>& points);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

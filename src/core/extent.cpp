@@ -55,15 +55,17 @@ Vec3 meanOf(const SomePoints<most>& points) {
   return points.origin + sum / static_cast<double>(points.count);
 }
 
-/// The points in the frame of a plane (m, from the origin of the points).
+/// The points in the frame of a plane (m, from the origin).
 struct FlatPoints {
   List<float> u, v;
 
-  FlatPoints(const SeenPoints& points, const Eigen::Matrix3d& rotation) : u(points.size()), v(points.size()) {
+  FlatPoints(const SeenPoints& points, const Eigen::Matrix3d& rotation, const Vec3& origin)
+      : u(points.size()), v(points.size()) {
     const Eigen::Vector3f x = rotation.col(0).cast<float>(), y = rotation.col(1).cast<float>();
+    const Eigen::Vector3f from = (rotation.transpose() * (points.origin - origin)).cast<float>();
     for (std::size_t i = 0; i < u.size(); ++i) {
-      u[i] = x.x() * points.x[i] + x.y() * points.y[i] + x.z() * points.z[i];
-      v[i] = y.x() * points.x[i] + y.y() * points.y[i] + y.z() * points.z[i];
+      u[i] = from.x() + x.x() * points.x[i] + x.y() * points.y[i] + x.z() * points.z[i];
+      v[i] = from.y() + y.x() * points.x[i] + y.y() * points.y[i] + y.z() * points.z[i];
     }
   }
   Vec2 at(std::size_t i) const { return {u[i], v[i]}; }
@@ -96,20 +98,20 @@ class Cells {
  public:
   explicit Cells(const FlatPoints& points) : cell_of_(points.u.size()) {
     const FloatRange in_u(points.u), in_v(points.v);
-    const float low_u = in_u.low, low_v = in_v.low;
-    const float across = in_u.high - low_u, down = in_v.high - low_v;
+    low_u_ = in_u.low, low_v_ = in_v.low;
+    const float across = in_u.high - low_u_, down = in_v.high - low_v_;
     const float count = static_cast<float>(points.u.size());
     // Spacing of points spread over the box, or along a strip.
     const float spacing = std::max(std::sqrt(across * down / count), std::max(across, down) / count);
     const float cell = 3.0f * spacing;
-    const float per_cell = cell > 0.0f ? 1.0f / cell : 0.0f;
+    per_cell_ = cell > 0.0f ? 1.0f / cell : 0.0f;
     // One empty cell around all: no neighbour is outside.
-    columns_ = static_cast<int>(across * per_cell) + 3;
-    rows_ = static_cast<int>(down * per_cell) + 3;
+    columns_ = static_cast<int>(across * per_cell_) + 3;
+    rows_ = static_cast<int>(down * per_cell_) + 3;
     counts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
     for (std::size_t i = 0; i < cell_of_.size(); ++i) {
-      const int column = static_cast<int>((points.u[i] - low_u) * per_cell) + 1;
-      const int row = static_cast<int>((points.v[i] - low_v) * per_cell) + 1;
+      const int column = static_cast<int>((points.u[i] - low_u_) * per_cell_) + 1;
+      const int row = static_cast<int>((points.v[i] - low_v_) * per_cell_) + 1;
       cell_of_[i] = row * columns_ + column;
       ++counts_[static_cast<std::size_t>(cell_of_[i])];
     }
@@ -127,6 +129,20 @@ class Cells {
     for (std::size_t k = 0; k < counts_.size(); ++k) {
       if (held[static_cast<std::size_t>(part[k])] < least) counts_[k] = 0;
     }
+  }
+
+  /// Whether what is left holds a point in the cell of that one or in one that touches it.
+  bool isNear(float u, float v) const {
+    const float column = (u - low_u_) * per_cell_ + 1.0f, row = (v - low_v_) * per_cell_ + 1.0f;
+    const float last_column = static_cast<float>(columns_ - 1), last_row = static_cast<float>(rows_ - 1);
+    if (!(column >= 0.0f && column <= last_column && row >= 0.0f && row <= last_row)) return false;
+    const int at_column = static_cast<int>(column), at_row = static_cast<int>(row);
+    for (int r = std::max(at_row - 1, 0); r <= std::min(at_row + 1, rows_ - 1); ++r) {
+      for (int c = std::max(at_column - 1, 0); c <= std::min(at_column + 1, columns_ - 1); ++c) {
+        if (count(r * columns_ + c) > 0) return true;
+      }
+    }
+    return false;
   }
 
   /// Points that may be corners of the hull of all that are left. None of a cell whose four diagonal neighbours hold
@@ -166,6 +182,7 @@ class Cells {
     return held;
   }
 
+  float low_u_, low_v_, per_cell_;
   int columns_ = 0, rows_ = 0;
   List<int> counts_;
   List<int> cell_of_;  ///< of each point
@@ -173,16 +190,21 @@ class Cells {
 
 /// The outline is around all large parts: something in front may hide what lies between them. A few points of other
 /// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
-Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>&& outline) {
+Extent extentOf(const Plane& plane, const SeenPoints& inliers, const SeenPoints& outermost,
+                std::vector<Vec3>&& outline) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
   Extent extent;
   extent.rotation = frameAround(plane.normal, longestDirection(some, mean, plane.normal));
-  const FlatPoints flat(inliers, extent.rotation);
+  const FlatPoints flat(inliers, extent.rotation, inliers.origin);
   Cells cells(flat);
   constexpr double kLeastPart = 0.2;
   cells.keepParts(kLeastPart);
-  const List<Vec2> border = cells.border(flat);
+  List<Vec2> border = cells.border(flat);
+  const FlatPoints flat_outermost(outermost, extent.rotation, inliers.origin);
+  for (std::size_t i = 0; i < outermost.size(); ++i) {
+    if (cells.isNear(flat_outermost.u[i], flat_outermost.v[i])) border.push_back(flat_outermost.at(i));
+  }
   // A millimetre of a metre: less than the noise at a border, and half the corners.
   constexpr double kFlat = 1e-3;
   const Vec3 foot = inliers.origin - distance(plane, inliers.origin) * plane.normal;
@@ -200,7 +222,7 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers, std::vector<Vec3>
   return extent;
 }
 
-Extent extentOf(const Sphere& sphere, const SeenPoints&, std::vector<Vec3>&&) {
+Extent extentOf(const Sphere& sphere, const SeenPoints&, const SeenPoints&, std::vector<Vec3>&&) {
   Extent extent;
   extent.origin = sphere.center;
   extent.radius = sphere.radius;
@@ -234,7 +256,7 @@ Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const 
   return frameAround(axis, meanOf(inliers) - point);
 }
 
-Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, std::vector<Vec3>&&) {
+Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&&) {
   const SomePoints<kMostPoints> some(inliers);
   const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some);
   Extent extent;
@@ -245,7 +267,7 @@ Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, std::vector
   return extent;
 }
 
-Extent extentOf(const Cone& cone, const SeenPoints& inliers, std::vector<Vec3>&&) {
+Extent extentOf(const Cone& cone, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&&) {
   const SomePoints<kMostPoints> some(inliers);
   AxisRange range = rangeAlong(cone.apex, cone.axis, some);
   range.low = std::max(range.low, 0.0);
@@ -268,9 +290,14 @@ bool pointsUp(const Vec3& axis) {
 
 }  // namespace
 
-Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPoints& outermost,
+                     std::vector<Vec3> outline) {
   if (inliers.empty()) return {};
-  return std::visit([&](const auto& s) { return extentOf(s, inliers, std::move(outline)); }, shape);
+  return std::visit([&](const auto& s) { return extentOf(s, inliers, outermost, std::move(outline)); }, shape);
+}
+
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {
+  return measureExtent(shape, inliers, {}, std::move(outline));
 }
 
 Shape canonical(const Shape& shape) {

@@ -11,7 +11,10 @@
 namespace primitect {
 
 /// Extent of the part where the inliers lie (m). A few stragglers do not stretch it: along an axis the outer 1 % at
-/// either end are left out. outline: whose memory a plane's hull is to have.
+/// either end are left out. outermost: more of the inliers, which a plane's outline is to hold unless they lie apart
+/// from all others. outline: whose memory a plane's hull is to have.
+Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPoints& outermost,
+                     std::vector<Vec3> outline);
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline = {});
 
 /// The same shape with a sign of its axis that does not flip from frame to frame: a cylinder's points up in the image

@@ -110,12 +110,13 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                           Detection& detection) {
   points_.gather(cloud_, labelled.index);
+  outermost_.gather(cloud_, labelled.row_ends);
   const Kind kind = kindOf(detection.shape);
   const Fit fit = fitted(clear, on_surface, detection);
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
-  detection.extent = measureExtent(detection.shape, points_, std::move(detection.extent.hull));
+  detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
   detection.inlier_count = static_cast<std::uint32_t>(labelled.all);
   detection.rms_error = rmsDistance(detection.shape, points_);
   const Density density = noise_.ofDepthCamera() ? Density::of_pixels : Density::of_surface;

@@ -60,7 +60,7 @@ class Measurement {
   PointNoise sigma_;
   TruncationFinder truncation_;
   // Of one detection; their memory serves the next.
-  SeenPoints points_, clear_;
+  SeenPoints points_, outermost_, clear_;
   FitPoints fit_points_;
 };
 

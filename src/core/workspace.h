@@ -88,7 +88,7 @@ struct Detector::Workspace {
 
   void thin(const Cloud& whole);
   void findPoints(Labeling& of_cloud);
-  void lengthen(double factor);
+  void findStretches();
   void keepToTops();
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
@@ -117,6 +117,7 @@ struct Detector::Workspace {
   ThinnedList thinned;
   Labeling labeling_of_thinned;
   std::vector<std::uint32_t> labels;  ///< of the points of the thinned list
+  List<Vec3> stretches;               ///< of the extents, so that points beyond are looked at, too
   List<bool> far_sides;               ///< which detections have points there
   List<LabelledPoints> points;        ///< of the detections
   NormalSource normal_source;         ///< of this frame

@@ -12,6 +12,18 @@
 #include "core/workspace.h"
 
 namespace primitect {
+namespace {
+
+/// Times as long along the three axes of its frame, about its origin.
+void stretch(const Vec3& factors, Extent& extent) {
+  extent.size = extent.size.cwiseProduct(factors);
+  for (Vec3& corner : extent.hull) {
+    const Vec3 there = extent.rotation.transpose() * (corner - extent.origin);
+    corner = extent.origin + extent.rotation * there.cwiseProduct(factors);
+  }
+}
+
+}  // namespace
 
 /// What the measures are taken from: the cloud, or of a large list a part of it.
 void Detector::Workspace::thin(const Cloud& whole) {
@@ -23,7 +35,8 @@ void Detector::Workspace::findPoints(Labeling& of_cloud) {
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
   far_sides.clear();
   if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, tolerance, labels);
-  pointsOfLabels(labels, mostPoints(), points);
+  const Cloud& cloud = thinned.cloud();
+  pointsOfLabels(labels, cloud.organized() ? cloud.width : 0, mostPoints(), points);
   if (arrangement.projected()) {  // a pixel may hold several points of the cloud
     const List<std::size_t> all = arrangement.projected()->pointsOfLabels(labels, points.size());
     for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
@@ -48,25 +61,43 @@ void Detector::Workspace::keepToTops() {
     if (!level || of_item.index.empty()) continue;
     const Plane& plane = std::get<Plane>(segment.candidate.shape);
     const std::size_t before = of_item.index.size();
+    of_item.row_ends.clear();
     of_item.index = levelTop(thinned.cloud(), plane, *level, sigma, of_item.index);
     of_item.all = of_item.all * of_item.index.size() / before;
   }
 }
 
-/// Samples end before the surface does, at the tip of a cone by a fifth of its length: points are looked for beyond.
-void Detector::Workspace::lengthen(double factor) {
-  for (Detection& item : result.items) {
+/// Samples end before the surface does, at the tip of a cone by a fifth of its length, at the corner of a plane by more
+/// than they are apart: points are looked for beyond. But where that is much of a plane, of few samples or narrow, what
+/// lies beside it would count as its own: .2 % less of what is found on 280 tables was right, and the front of a flat
+/// box, 28 mm high, tilted by 3 deg towards the table.
+void Detector::Workspace::findStretches() {
+  constexpr double kLonger = 1.5;               // of axes
+  constexpr double kSpacings = 0.75;            // of samples, on each side of a plane
+  constexpr double kMost = 0.2;                 // times as wide
+  constexpr std::uint32_t kEnoughSamples = 64;  // of a plane
+  for (const Detection& item : result.items) {
     const Kind kind = kindOf(item.shape);
-    if (kind == Kind::cylinder || kind == Kind::cone) item.extent.size.z() *= factor;
+    Vec3 stretch = Vec3::Ones();
+    if (kind == Kind::cylinder || kind == Kind::cone) stretch.z() = kLonger;
+    if (kind == Kind::plane && item.inlier_count >= kEnoughSamples) {
+      const Eigen::Vector2d size = item.extent.size.head<2>();
+      const double more = 2.0 * kSpacings * std::sqrt(size.prod() / item.inlier_count);
+      for (int k = 0; k < 2; ++k) {
+        if (more < kMost * size[k]) stretch[k] += more / size[k];
+      }
+    }
+    stretches.push_back(stretch);
   }
 }
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
-  constexpr double kLonger = 1.5;
   thin(whole);
-  if (depth_camera) lengthen(kLonger);
+  stretches.clear();
+  if (depth_camera) findStretches();
+  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k], result.items[k].extent);
   findPoints(thinned.thinned() ? labeling_of_thinned : labeling);
-  if (depth_camera) lengthen(1.0 / kLonger);
+  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k].cwiseInverse(), result.items[k].extent);
   keepToTops();
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};

@@ -134,6 +134,17 @@ TEST(Extent, OfAPlaneHoldsPartsOfAFifthOfTheLargestOrMore) {
   }
 }
 
+TEST(Extent, OfAPlaneHoldsTheOutermostButNotWhatLiesApart) {
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 10; ++i) {
+    for (int j = 0; j <= 10; ++j) points.push_back({0.01 * i, 0.01 * j, 1.0});
+  }
+  const Extent extent = measureExtent(plane, points, std::vector<Vec3>{{-0.02, 0.05, 1.0}, {0.25, 0.05, 1.0}}, {});
+  EXPECT_NEAR(extent.size.x(), 0.12, 1e-6);
+  EXPECT_NEAR(extent.origin.x(), 0.04, 1e-6);
+}
+
 TEST(Extent, OfAThinStripIsTheWholeStrip) {
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   std::vector<Vec3> points;

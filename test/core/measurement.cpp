@@ -151,13 +151,13 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   detection.shape = Sphere{kBall.center, 0.079};
   Detection kept = detection;
   Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-      .measure({all, 4000}, all, kAllOnSurface, kept);
+      .measure({all, {}, 4000}, all, kAllOnSurface, kept);
   EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
   EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
   params.max_radius = 0.0;
   Detection fitted = detection;
   Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-      .measure({all, 4000}, all, kAllOnSurface, fitted);
+      .measure({all, {}, 4000}, all, kAllOnSurface, fitted);
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
@@ -167,7 +167,7 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   std::iota(all.begin(), all.end(), 0u);
   const Params params;
   Measurement(cloud, findRays(cloud), params, noise, {params, 10.0})
-      .measure({all, all.size()}, all, kAllOnSurface, detection);
+      .measure({all, {}, all.size()}, all, kAllOnSurface, detection);
   return detection;
 }
 
@@ -210,7 +210,7 @@ TEST(Measurement, TrustsASizeNoMoreForLeavingOutWhatContradictsIt) {
     detection.confidence = 0.8f;
     const auto on_surface = [&rest](const Shape&, const List<std::uint32_t>&) { return rest; };
     Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-        .measure({all, all.size()}, clear, on_surface, detection);
+        .measure({all, {}, all.size()}, clear, on_surface, detection);
     return detection.confidence;
   };
   const float of_all = confidence(all, all), of_cap = confidence(cap, cap);
@@ -272,7 +272,7 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   Detection kept;
   kept.shape = kBall;
   Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-      .measure({own, 1000}, clear, kAllOnSurface, kept);
+      .measure({own, {}, 1000}, clear, kAllOnSurface, kept);
   EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
   EXPECT_LT(kept.rms_error, 2.0 * kNoise);
 }
