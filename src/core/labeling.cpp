@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/flat.h"
+#include "core/label_runs.h"
 #include "core/point_noise.h"
 
 namespace primitect {
@@ -112,7 +113,8 @@ std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolera
   return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z);
 }
 
-void Labeling::prepare(const std::vector<Detection>& detections, const PointRuns& runs,
+/// wanted: by each detection; none: all are. Runs are near no other.
+void Labeling::prepare(const std::vector<Detection>& detections, const List<bool>& wanted, const PointRuns& runs,
                        const kernels::FlatTolerance& tolerance) {
   const std::size_t words = (detections.size() + kTargetsPerWord - 1) / kTargetsPerWord;
   findAllowed(runs, tolerance);
@@ -121,29 +123,52 @@ void Labeling::prepare(const std::vector<Detection>& detections, const PointRuns
   std::size_t sides = 0;
   for (const Detection& detection : detections) {
     targets_.push_back({flattened(detection.shape, Vec3::Zero()), ObservedPart(detection.shape, detection.extent)});
-    findNear(runs, targets_.size() - 1);
+    if (wanted.empty() || wanted[targets_.size() - 1]) findNear(runs, targets_.size() - 1);
     sides += targets_.back().part.view().count;
   }
   // What belongs to a run stays where it is while the rest is gathered.
   sides_.reserve(sides);
 }
 
+void Labeling::labelRuns(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) {
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    gatherTargets(runs, k);
+    labelRun(runs.number[k], tolerance, labels);
+  }
+}
+
 void Labeling::label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
                      std::vector<std::uint32_t>& labels) {
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   labels.resize(cloud_->size());
-  prepare(detections, runs, flat);
+  prepare(detections, {}, runs, flat);
+  labelRuns(runs, flat, labels.data());
+}
+
+void Labeling::takeFrom(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
+                        const PointRuns& runs, std::vector<std::uint32_t>& labels) {
+  List<bool> concerned(numberOfRuns(*cloud_), false);
+  forLabelRuns(labels, [&](const LabelRun& run) {
+    if (wanted[run.label - 1]) return;
+    for (std::size_t k = run.begin / kRun; k * kRun < run.end; ++k) concerned[k] = true;
+  });
+  PointRuns again;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    gatherTargets(runs, k);
-    labelRun(runs.number[k], flat, labels.data());
+    if (!concerned[runs.number[k]]) continue;
+    again.number.push_back(runs.number[k]), again.measured.push_back(runs.measured[k]);
+    again.x.push_back(runs.x[k]), again.y.push_back(runs.y[k]), again.z.push_back(runs.z[k]);
+    again.radius.push_back(runs.radius[k]);
   }
+  const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
+  prepare(detections, wanted, again, flat);
+  labelRuns(again, flat, labels.data());
 }
 
 void Labeling::findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance,
                                const PointRuns& runs, List<std::uint64_t>& unexplained) {
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   unexplained.resize(runs.size());
-  prepare(detections, runs, flat);
+  prepare(detections, {}, runs, flat);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     gatherTargets(runs, k);
     unexplained[k] = unexplainedOf(runs.number[k], flat);

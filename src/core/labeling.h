@@ -33,6 +33,10 @@ class Labeling {
   void label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
              std::vector<std::uint32_t>& labels);
 
+  /// Labels again what label() gave to a detection that is not wanted any more, by its index, as if it were not there.
+  void takeFrom(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
+                const PointRuns& runs, std::vector<std::uint32_t>& labels);
+
   /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
   /// any.
   void findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
@@ -46,8 +50,9 @@ class Labeling {
   /// So many targets have a bit in one word.
   static constexpr std::size_t kTargetsPerWord = 32;
 
-  void prepare(const std::vector<Detection>& detections, const PointRuns& runs,
+  void prepare(const std::vector<Detection>& detections, const List<bool>& wanted, const PointRuns& runs,
                const kernels::FlatTolerance& tolerance);
+  void labelRuns(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels);
   void findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance);
   void findNear(const PointRuns& runs, std::size_t target);
   void gatherTargets(const PointRuns& runs, std::size_t k);

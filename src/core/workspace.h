@@ -87,7 +87,9 @@ struct Detector::Workspace {
   void describeSegments(const List<Segment>& described, const Samples& of);
 
   void thin(const Cloud& whole);
-  void findPoints(Labeling& of_cloud);
+  void findPoints(const Cloud& whole);
+  List<std::size_t> countPoints() const;
+  List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
   void findStretches();
   void keepToTops();
   List<std::size_t> mostPoints() const;

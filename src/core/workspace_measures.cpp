@@ -7,6 +7,7 @@
 
 #include "core/clear_points.h"
 #include "core/far_sides.h"
+#include "core/label_runs.h"
 #include "core/level_top.h"
 #include "core/strip.h"
 #include "core/workspace.h"
@@ -31,20 +32,50 @@ void Detector::Workspace::thin(const Cloud& whole) {
   if (thinned.thinned()) labeling_of_thinned.begin(thinned.cloud());
 }
 
-void Detector::Workspace::findPoints(Labeling& of_cloud) {
+/// Points of each shape, within its part and around it.
+void Detector::Workspace::findPoints(const Cloud& whole) {
+  Labeling& of_cloud = thinned.thinned() ? labeling_of_thinned : labeling;
+  stretches.clear();
+  if (depth_camera) findStretches();
+  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k], result.items[k].extent);
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
+  // What has too few points to be reported has them from others: strips of the flanks of a tube, as planes.
+  const List<bool> enough = areEnough(countPoints(), whole);
+  if (std::find(enough.begin(), enough.end(), false) != enough.end()) {
+    of_cloud.takeFrom(result.items, enough, tolerance, of_cloud.allRuns(), labels);
+  }
+  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k].cwiseInverse(), result.items[k].extent);
   far_sides.clear();
   if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, tolerance, labels);
   const Cloud& cloud = thinned.cloud();
   pointsOfLabels(labels, cloud.organized() ? cloud.width : 0, mostPoints(), points);
+  const List<std::size_t> all = countPoints();
+  for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
+}
+
+/// How many points of the whole cloud each detection has, as far as was looked.
+List<std::size_t> Detector::Workspace::countPoints() const {
+  const std::size_t most = result.items.size();
+  List<std::size_t> all(most, 0);
   if (arrangement.projected()) {  // a pixel may hold several points of the cloud
-    const List<std::size_t> all = arrangement.projected()->pointsOfLabels(labels, points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
+    all = arrangement.projected()->pointsOfLabels(labels, most);
+  } else {
+    forLabelRuns(labels, [&](const LabelRun& run) {
+      if (run.label <= most) all[run.label - 1] += run.end - run.begin;
+    });
   }
   const double each = each_pixel * thinned.each();
-  for (LabelledPoints& of_item : points) {
-    of_item.all = static_cast<std::size_t>(std::llround(each * static_cast<double>(of_item.all)));
+  for (std::size_t& count : all) count = static_cast<std::size_t>(std::llround(each * static_cast<double>(count)));
+  return all;
+}
+
+/// Which detections these numbers of points are enough for.
+List<bool> Detector::Workspace::areEnough(const List<std::size_t>& all, const Cloud& whole) {
+  List<bool> enough;
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    enough.push_back(all[k] >= fewestPoints(kindOf(result.items[k].shape), whole));
   }
+  return enough;
 }
 
 /// Of a small plane over the tops of several things only one of them. Its other points would be planes of their own
@@ -93,11 +124,7 @@ void Detector::Workspace::findStretches() {
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
-  stretches.clear();
-  if (depth_camera) findStretches();
-  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k], result.items[k].extent);
-  findPoints(thinned.thinned() ? labeling_of_thinned : labeling);
-  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k].cwiseInverse(), result.items[k].extent);
+  findPoints(whole);
   keepToTops();
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
@@ -105,10 +132,9 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   // Pixels of a projected image are not where a camera's were.
   const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
   Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
-  List<bool> enough;
-  for (std::size_t k = 0; k < result.items.size(); ++k) {
-    enough.push_back(points[k].all >= fewestPoints(kindOf(result.items[k].shape), whole));
-  }
+  List<std::size_t> all;
+  for (const LabelledPoints& of_item : points) all.push_back(of_item.all);
+  const List<bool> enough = areEnough(all, whole);
   const auto within = [this](std::size_t k) { return !isLine(result.items[k], verification.noise()); };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
   for (std::size_t k = 0; k < result.items.size(); ++k) {

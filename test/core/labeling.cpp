@@ -128,6 +128,28 @@ TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
   for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_EQ(labels_of_many[i], labels[i] == 0 ? 0 : labels[i] + 40) << i;
 }
 
+TEST(LabelPoints, GoToOthersWhenADetectionIsNotWanted) {
+  const Cloud cloud = cloudInOrder();
+  std::vector<Detection> items = detections();
+  items.push_back(items[2]);  // on the can, a little wider: it has the points that noise moved out
+  std::get<Cylinder>(items[4].shape).radius += 0.002;
+  for (const std::size_t out : {0, 2, 4}) {
+    std::vector<Detection> others = items;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(out));
+    std::vector<std::uint32_t> labels, expected;
+    Labeling labeling;
+    labeling.begin(cloud);
+    labeling.label(items, kEverywhereAlike, labeling.allRuns(), labels);
+    EXPECT_NE(std::find(labels.begin(), labels.end(), out + 1), labels.end());
+    List<bool> wanted(items.size(), true);
+    wanted[out] = false;
+    labeling.takeFrom(items, wanted, kEverywhereAlike, labeling.allRuns(), labels);
+    labelPoints(cloud, others, kEverywhereAlike, expected);
+    for (std::uint32_t& label : expected) label += label > out ? 1 : 0;
+    EXPECT_EQ(labels, expected);
+  }
+}
+
 TEST(Unexplained, AreThePointsWithoutALabel) {
   const Cloud cloud = cloudInOrder();
   const std::vector<Detection> items = detections();
