@@ -293,7 +293,12 @@ bool pointsUp(const Vec3& axis) {
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPoints& outermost,
                      std::vector<Vec3> outline) {
   if (inliers.empty()) return {};
-  return std::visit([&](const auto& s) { return extentOf(s, inliers, outermost, std::move(outline)); }, shape);
+  Extent extent = std::visit([&](const auto& s) { return extentOf(s, inliers, outermost, std::move(outline)); }, shape);
+  if (kindOf(shape) != Kind::plane) {  // kept for a plane to come
+    outline.clear();
+    extent.hull = std::move(outline);
+  }
+  return extent;
 }
 
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {
