@@ -7,9 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "primitect/detector.h"
-#include "synthetic/clutter.h"
-#include "synthetic/frame.h"
+#include "test/support/table_frame.h"
 
 namespace primitect {
 namespace {
@@ -27,18 +25,11 @@ const Detection* foundAs(const Detection& truth, const Detections& found) {
 TEST(SeenLengths, GoNearlyToTheEndsOfCylindersAndCones) {
   std::map<Kind, std::vector<double>> shares;
   for (std::uint64_t seed = 2500; seed < 2512; ++seed) {
-    const synthetic::PinholeCamera camera;
-    const synthetic::FrameParams params;
-    const synthetic::Frame frame =
-        renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
-    Cloud cloud;
-    cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
-    Detector detector{Params()};
-    const Detections& found = detector.detect(cloud);
-    for (const Detection& truth : frame.truth.items) {
+    const test::TableFrame table(seed);
+    for (const Detection& truth : table.frame.truth.items) {
       const Kind kind = kindOf(truth.shape);
       if (kind != Kind::cylinder && kind != Kind::cone) continue;
-      const Detection* const item = foundAs(truth, found);
+      const Detection* const item = foundAs(truth, table.found);
       if (item) shares[kind].push_back(item->extent.size.z() / truth.extent.size.z());
     }
   }

@@ -8,9 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "primitect/detector.h"
-#include "synthetic/clutter.h"
-#include "synthetic/frame.h"
+#include "test/support/table_frame.h"
 
 namespace primitect {
 namespace {
@@ -55,17 +53,10 @@ TEST(SeenOutlines, GoNearlyToTheCornersOfTables) {
   constexpr double kTable = 0.2;  // m^2
   std::vector<double> missed, added;
   for (std::uint64_t seed = 2500; seed < 2510; ++seed) {
-    const synthetic::PinholeCamera camera;
-    const synthetic::FrameParams params;
-    const synthetic::Frame frame =
-        renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
-    Cloud cloud;
-    cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
-    Detector detector{Params()};
-    const Detections& found = detector.detect(cloud);
-    for (const Detection& truth : frame.truth.items) {
+    const test::TableFrame table(seed);
+    for (const Detection& truth : table.frame.truth.items) {
       if (kindOf(truth.shape) != Kind::plane || truth.extent.size.head<2>().prod() < kTable) continue;
-      const Detection* const item = foundAs(truth, found);
+      const Detection* const item = foundAs(truth, table.found);
       if (!item) continue;
       addBeyond(truth.extent, item->extent, missed);
       addBeyond(item->extent, truth.extent, added);

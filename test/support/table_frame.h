@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulated frame of a cluttered table, and what the detector makes of it.
+#pragma once
+
+#include <cstdint>
+
+#include "primitect/detector.h"
+#include "synthetic/clutter.h"
+#include "synthetic/frame.h"
+
+namespace primitect::test {
+
+struct TableFrame {
+  synthetic::Frame frame;
+  Cloud cloud;
+  Detections found;
+
+  explicit TableFrame(std::uint64_t seed) {
+    const synthetic::PinholeCamera camera;
+    const synthetic::FrameParams params;
+    frame = renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
+    cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
+    Detector detector{Params()};
+    found = detector.detect(cloud);
+  }
+};
+
+}  // namespace primitect::test
