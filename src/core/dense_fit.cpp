@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/fitting.h"
-#include "core/label_runs.h"
 #include "core/seen_side.h"
 #include "core/tapered.h"
 
@@ -33,20 +32,17 @@ void addRowEnds(const LabelRun& run, std::uint32_t width, List<std::uint32_t>& e
 
 }  // namespace
 
-void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::uint32_t width, const List<std::size_t>& most,
+void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<std::size_t>& most,
                     List<LabelledPoints>& points) {
   const std::size_t count = most.size();
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.row_ends.clear(), of_label.all = 0;
-  List<LabelRun> runs;
-  runs.reserve(labels.size() / kLabelsAtOnce);
-  forLabelRuns(labels, [&](const LabelRun& run) {
-    if (run.label > count) return;
-    points[run.label - 1].all += run.end - run.begin;
-    runs.push_back(run);
-  });
+  for (const LabelRun& run : runs) {
+    if (run.label <= count) points[run.label - 1].all += run.end - run.begin;
+  }
   List<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
   for (const LabelRun& run : runs) {
+    if (run.label > count) continue;
     LabelledPoints& of_label = points[run.label - 1];
     const std::size_t step = of_label.all / most[run.label - 1] + 1;
     std::size_t next = run.begin + rest[run.label - 1];

@@ -9,6 +9,7 @@
 #include "core/competition.h"
 #include "core/fit_points.h"
 #include "core/frame_memory.h"
+#include "core/label_runs.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -24,7 +25,7 @@ struct LabelledPoints {
 
 /// Points of the labels 1, 2, ..., of each at most as many as stands in `most`; other labels are none. width: of the
 /// image, 0 for a list, which has no rows.
-void pointsOfLabels(const std::vector<std::uint32_t>& labels, std::uint32_t width, const List<std::size_t>& most,
+void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<std::size_t>& most,
                     List<LabelledPoints>& points);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "core/flat.h"
-#include "core/label_runs.h"
 #include "core/observed_part.h"
 #include "core/point_noise.h"
 #include "kernels/loops.h"
@@ -117,26 +116,26 @@ class Walls {
 }  // namespace
 
 List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
-                        std::vector<std::uint32_t>& labels) {
+                        const List<LabelRun>& runs, std::vector<std::uint32_t>& labels) {
   const Walls walls(cloud, detections, tolerance);
   List<bool> found(detections.size(), false);
   Points far;
-  forLabelRuns(labels, [&](const LabelRun& run) {
+  for (const LabelRun& run : runs) {
     const std::size_t k = run.label - 1;
-    if (!walls.curved(k)) return;
+    if (!walls.curved(k)) continue;
     for (std::uint32_t begin = run.begin; begin < run.end; begin += kAtOnce) {
       walls.findFar({run.label, begin, std::min(begin + static_cast<std::uint32_t>(kAtOnce), run.end)}, far);
       walls.moveToOtherSides(k, far, labels);
       for (std::size_t i = 0; i < far.count; ++i) labels[far.index[i]] |= kFarSide;
       if (far.count > 0) found[k] = true;
     }
-  });
+  }
   return found;
 }
 
 void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
                   std::vector<std::uint32_t>& labels) {
-  markFarSides(cloud, detections, tolerance, labels);
+  markFarSides(cloud, detections, tolerance, labelRuns(labels), labels);
   for (std::uint32_t& label : labels) label = label < kFarSide ? label : 0;
 }
 

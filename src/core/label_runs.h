@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/frame_memory.h"
+
 namespace primitect {
 
 /// Points [begin, end) of the same label.
@@ -13,27 +15,7 @@ struct LabelRun {
   std::uint32_t label, begin, end;
 };
 
-/// Labels that are compared at once; of longer runs kManyLabels.
-constexpr std::uint32_t kLabelsAtOnce = 16, kManyLabels = 64;
-
-template <std::uint32_t count>
-bool allAre(std::uint32_t label, const std::uint32_t* labels) {
-  std::uint32_t different = 0;
-  for (std::uint32_t k = 0; k < count; ++k) different |= labels[k] ^ label;
-  return different == 0;
-}
-
-/// Calls use(run) for all runs of a label above 0; it may change the labels of that run.
-template <class Use>
-void forLabelRuns(const std::vector<std::uint32_t>& labels, const Use& use) {
-  const std::uint32_t count = static_cast<std::uint32_t>(labels.size());
-  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-    const std::uint32_t label = labels[begin];
-    while (end + kManyLabels <= count && allAre<kManyLabels>(label, labels.data() + end)) end += kManyLabels;
-    while (end + kLabelsAtOnce <= count && allAre<kLabelsAtOnce>(label, labels.data() + end)) end += kLabelsAtOnce;
-    while (end < count && labels[end] == label) ++end;
-    if (label > 0) use(LabelRun{label, begin, end});
-  }
-}
+/// All runs of a label above 0, in the order of the points.
+List<LabelRun> labelRuns(const std::vector<std::uint32_t>& labels);
 
 }  // namespace primitect

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/flat.h"
-#include "core/label_runs.h"
 #include "core/point_noise.h"
 
 namespace primitect {
@@ -130,7 +129,7 @@ void Labeling::prepare(const std::vector<Detection>& detections, const List<bool
   sides_.reserve(sides);
 }
 
-void Labeling::labelRuns(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) {
+void Labeling::labelWithin(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     gatherTargets(runs, k);
     labelRun(runs.number[k], tolerance, labels);
@@ -142,16 +141,16 @@ void Labeling::label(const std::vector<Detection>& detections, const Tolerance& 
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   labels.resize(cloud_->size());
   prepare(detections, {}, runs, flat);
-  labelRuns(runs, flat, labels.data());
+  labelWithin(runs, flat, labels.data());
 }
 
 void Labeling::takeFrom(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
-                        const PointRuns& runs, std::vector<std::uint32_t>& labels) {
+                        const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels) {
   List<bool> concerned(numberOfRuns(*cloud_), false);
-  forLabelRuns(labels, [&](const LabelRun& run) {
-    if (wanted[run.label - 1]) return;
+  for (const LabelRun& run : labelled) {
+    if (wanted[run.label - 1]) continue;
     for (std::size_t k = run.begin / kRun; k * kRun < run.end; ++k) concerned[k] = true;
-  });
+  }
   PointRuns again;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (!concerned[runs.number[k]]) continue;
@@ -161,7 +160,7 @@ void Labeling::takeFrom(const std::vector<Detection>& detections, const List<boo
   }
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   prepare(detections, wanted, again, flat);
-  labelRuns(again, flat, labels.data());
+  labelWithin(again, flat, labels.data());
 }
 
 void Labeling::findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/frame_memory.h"
+#include "core/label_runs.h"
 #include "core/observed_part.h"
 #include "core/point_runs.h"
 #include "core/tolerance.h"
@@ -34,8 +35,9 @@ class Labeling {
              std::vector<std::uint32_t>& labels);
 
   /// Labels again what label() gave to a detection that is not wanted any more, by its index, as if it were not there.
+  /// labelled: the runs of these labels.
   void takeFrom(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
-                const PointRuns& runs, std::vector<std::uint32_t>& labels);
+                const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels);
 
   /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
   /// any.
@@ -52,7 +54,7 @@ class Labeling {
 
   void prepare(const std::vector<Detection>& detections, const List<bool>& wanted, const PointRuns& runs,
                const kernels::FlatTolerance& tolerance);
-  void labelRuns(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels);
+  void labelWithin(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels);
   void findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance);
   void findNear(const PointRuns& runs, std::size_t target);
   void gatherTargets(const PointRuns& runs, std::size_t k);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kLeafSize = kernels::kLeafSize;
 
-/// A sample while parts of a set are looked for.
-constexpr std::uint8_t kOutside = 0, kWaiting = 1, kReached = 2;
+/// States that are looked at together.
+constexpr std::size_t kStatesAtOnce = sizeof(std::uint64_t);
 
 static_assert(SampleGraph::kNeighbors == kLeafSize);
 
@@ -59,17 +59,29 @@ void SampleGraph::store(std::size_t first, std::size_t count, const kernels::Nea
   }
 }
 
-void SampleGraph::mark(const List<std::uint32_t>& set) {
-  state_.assign(neighbors_.size(), kOutside);
-  for (const std::uint32_t i : set) state_[i] = kWaiting;
+void SampleGraph::forget() {
+  state_.assign((neighbors_.size() + kStatesAtOnce - 1) / kStatesAtOnce * kStatesAtOnce, kOutside);
 }
 
 void SampleGraph::grow(List<std::uint32_t>& part) {
   for (std::size_t k = 0; k < part.size(); ++k) {
     for (const std::uint32_t j : neighbors_[part[k]]) {
       if (state_[j] != kWaiting) continue;
-      state_[j] = kReached;
+      state_[j] = kInPart;
       part.push_back(j);
+    }
+  }
+}
+
+void SampleGraph::order(List<std::uint32_t>& part) const {
+  constexpr std::uint64_t kMarks = kInPart * 0x0101010101010101ull;
+  std::size_t found = 0;
+  for (std::size_t first = 0; found < part.size(); first += kStatesAtOnce) {
+    std::uint64_t states;
+    std::memcpy(&states, state_.data() + first, kStatesAtOnce);
+    if ((states & kMarks) == 0) continue;
+    for (std::size_t i = first; i < first + kStatesAtOnce; ++i) {
+      if (state_[i] == kInPart) part[found++] = static_cast<std::uint32_t>(i);
     }
   }
 }
@@ -77,15 +89,18 @@ void SampleGraph::grow(List<std::uint32_t>& part) {
 List<List<std::uint32_t>> SampleGraph::parts(const List<std::uint32_t>& set, std::size_t least) {
   List<List<std::uint32_t>> found;
   List<std::uint32_t> part;
-  mark(set);
+  forget();
+  for (const std::uint32_t i : set) state_[i] = kWaiting;
   for (const std::uint32_t i : set) {
     if (state_[i] != kWaiting) continue;
-    state_[i] = kReached;
+    state_[i] = kInPart;
     part.assign(1, i);
     grow(part);
-    if (part.size() < least) continue;
-    std::sort(part.begin(), part.end());
-    found.push_back(part);
+    if (part.size() >= least) {
+      order(part);
+      found.push_back(part);
+    }
+    for (const std::uint32_t j : part) state_[j] = kReached;
   }
   return found;
 }
@@ -93,7 +108,8 @@ List<List<std::uint32_t>> SampleGraph::parts(const List<std::uint32_t>& set, std
 List<std::uint32_t> SampleGraph::largeParts(const List<std::uint32_t>& set, std::size_t least) {
   List<std::uint32_t> large;
   for (const List<std::uint32_t>& part : parts(set, least)) large.insert(large.end(), part.begin(), part.end());
-  std::sort(large.begin(), large.end());
+  for (const std::uint32_t i : large) state_[i] = kInPart;
+  order(large);
   return large;
 }
 

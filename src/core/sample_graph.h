@@ -3,7 +3,6 @@
 // Which samples are next to each other.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -41,33 +40,43 @@ class SampleGraph {
   List<std::uint32_t> largeParts(const List<std::uint32_t>& set, std::size_t least);
 
  private:
-  /// Marks the set in state_, all else as outside.
-  void mark(const List<std::uint32_t>& set);
+  /// A sample while parts are looked for.
+  enum State : std::uint8_t { kOutside = 0, kWaiting = 1, kReached = 2, kInPart = 4 };
+
+  /// All samples are outside.
+  void forget();
   /// Adds to the part what can be reached from what is in it, and marks it.
   void grow(List<std::uint32_t>& part);
+  /// Puts the part, whose samples are marked as such, in rising order: to look at all marks is faster than to sort.
+  void order(List<std::uint32_t>& part) const;
   void store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys);
 
   LeafTree tree_;
   List<kernels::NearestKeys> keys_;  ///< of each leaf
   List<Neighbors> neighbors_;
-  List<std::uint8_t> state_;  ///< of each sample while parts are looked for
+  List<std::uint8_t> state_;  ///< of each sample, and some more: they are looked at several at once
 };
 
 template <class Belongs>
 void SampleGraph::connected(std::uint32_t start, const Belongs& belongs, List<std::uint32_t>& part) {
-  constexpr std::uint8_t kAsked = 1;
-  state_.assign(neighbors_.size(), 0);
-  state_[start] = kAsked;
+  forget();
+  state_[start] = kReached;
   part.assign(1, start);
   for (std::size_t k = 0; k < part.size(); ++k) {
     for (const std::uint32_t j : neighbors_[part[k]]) {
-      if (state_[j] == kAsked) continue;
-      state_[j] = kAsked;
-      if (belongs(j)) part.push_back(j);
+      if (state_[j] != kOutside) continue;
+      state_[j] = kReached;
+      if (!belongs(j)) continue;
+      state_[j] = kInPart;
+      part.push_back(j);
     }
   }
-  if (!belongs(start)) part.erase(part.begin());
-  std::sort(part.begin(), part.end());
+  if (belongs(start)) {
+    state_[start] = kInPart;
+  } else {
+    part.erase(part.begin());
+  }
+  order(part);
 }
 
 }  // namespace primitect

@@ -88,7 +88,7 @@ struct Detector::Workspace {
 
   void thin(const Cloud& whole);
   void findPoints(const Cloud& whole);
-  List<std::size_t> countPoints() const;
+  List<std::size_t> countPoints(const List<LabelRun>& runs) const;
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
   void findStretches();
   void keepToTops();

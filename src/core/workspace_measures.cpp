@@ -7,7 +7,6 @@
 
 #include "core/clear_points.h"
 #include "core/far_sides.h"
-#include "core/label_runs.h"
 #include "core/level_top.h"
 #include "core/strip.h"
 #include "core/workspace.h"
@@ -39,30 +38,35 @@ void Detector::Workspace::findPoints(const Cloud& whole) {
   if (depth_camera) findStretches();
   for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k], result.items[k].extent);
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
+  List<LabelRun> runs = labelRuns(labels);
   // What has too few points to be reported has them from others: strips of the flanks of a tube, as planes.
-  const List<bool> enough = areEnough(countPoints(), whole);
+  const List<bool> enough = areEnough(countPoints(runs), whole);
   if (std::find(enough.begin(), enough.end(), false) != enough.end()) {
-    of_cloud.takeFrom(result.items, enough, tolerance, of_cloud.allRuns(), labels);
+    of_cloud.takeFrom(result.items, enough, tolerance, of_cloud.allRuns(), runs, labels);
+    runs = labelRuns(labels);
   }
   for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k].cwiseInverse(), result.items[k].extent);
   far_sides.clear();
-  if (depth_camera) far_sides = markFarSides(thinned.cloud(), result.items, tolerance, labels);
   const Cloud& cloud = thinned.cloud();
-  pointsOfLabels(labels, cloud.organized() ? cloud.width : 0, mostPoints(), points);
-  const List<std::size_t> all = countPoints();
+  if (depth_camera) {
+    far_sides = markFarSides(cloud, result.items, tolerance, runs, labels);
+    runs = labelRuns(labels);
+  }
+  pointsOfLabels(runs, cloud.organized() ? cloud.width : 0, mostPoints(), points);
+  const List<std::size_t> all = countPoints(runs);
   for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
 }
 
 /// How many points of the whole cloud each detection has, as far as was looked.
-List<std::size_t> Detector::Workspace::countPoints() const {
+List<std::size_t> Detector::Workspace::countPoints(const List<LabelRun>& runs) const {
   const std::size_t most = result.items.size();
   List<std::size_t> all(most, 0);
   if (arrangement.projected()) {  // a pixel may hold several points of the cloud
     all = arrangement.projected()->pointsOfLabels(labels, most);
   } else {
-    forLabelRuns(labels, [&](const LabelRun& run) {
+    for (const LabelRun& run : runs) {
       if (run.label <= most) all[run.label - 1] += run.end - run.begin;
-    });
+    }
   }
   const double each = each_pixel * thinned.each();
   for (std::size_t& count : all) count = static_cast<std::size_t>(std::llround(each * static_cast<double>(count)));

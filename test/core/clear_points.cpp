@@ -204,7 +204,7 @@ TEST(FarSides, LoseTheirLabels) {
   for (const bool concave : {false, true}) {
     WholeBall ball(concave);
     std::vector<std::uint32_t> marked = ball.labels;
-    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, marked), List<bool>{true});
+    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, labelRuns(marked), marked), List<bool>{true});
     dropFarSides(ball.cloud, ball.detections, kTolerance, ball.labels);
     for (std::size_t i = 0; i < ball.labels.size(); ++i) {
       EXPECT_EQ(marked[i], ball.labels[i] == 1 ? 1 : 1 | kFarSide);
@@ -222,7 +222,7 @@ TEST(FarSides, BelongToTheOtherSurfaceOfAThinWallWhereThatWasFound) {
   // Noise alone decides which of the two is nearer.
   for (std::size_t i = 0; i < ball.labels.size(); ++i) ball.labels[i] = i % 3 == 0 ? 2 : 1;
   std::vector<std::uint32_t> marked = ball.labels;
-  EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, marked), List<bool>(2, false));
+  EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, labelRuns(marked), marked), List<bool>(2, false));
   for (std::size_t i = 0; i < marked.size(); ++i) EXPECT_EQ(marked[i], ball.faces_camera[i] ? 1u : 2u) << i;
   // One that is too far inside has nothing to do with it.
   ball.detections[1].shape = Sphere{kBall.center, kBall.radius - 4.0 * kSigma};
@@ -234,7 +234,7 @@ TEST(FarSides, BelongToTheOtherSurfaceOfAThinWallWhereThatWasFound) {
 TEST(FarSides, AreNotTakenFromPlanes) {
   TwoHalves halves;
   const std::vector<std::uint32_t> before = halves.labels;
-  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, kTolerance, halves.labels), List<bool>(2, false));
+  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, kTolerance, labelRuns(halves.labels), halves.labels), List<bool>(2, false));
   EXPECT_EQ(halves.labels, before);
 }
 

@@ -157,11 +157,11 @@ TEST(PointsOfLabels, KnowsTheOutermostInEachRowOfAnImage) {
                                              1, 1, 1, 1, 0, 2, 2, 0, 1, 1, 1, 1,   // something between two; on to
                                              1, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};  // the next row; too few
   List<LabelledPoints> points;
-  pointsOfLabels(labels, 12, {100, 100}, points);
+  pointsOfLabels(labelRuns(labels), 12, {100, 100}, points);
   EXPECT_EQ(points[0].row_ends, (List<std::uint32_t>{1, 4, 12, 23, 24, 28}));
   EXPECT_TRUE(points[1].row_ends.empty());
   EXPECT_EQ(points[0].all, 20u);
-  pointsOfLabels(labels, 0, {100, 100}, points);
+  pointsOfLabels(labelRuns(labels), 0, {100, 100}, points);
   EXPECT_TRUE(points[0].row_ends.empty());
 }
 
@@ -169,7 +169,7 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   std::vector<std::uint32_t> labels(10000, 0);
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = i < 9000 ? i % 2 : 2;
   List<LabelledPoints> points;
-  pointsOfLabels(labels, 0, {1000, 300, 1000}, points);
+  pointsOfLabels(labelRuns(labels), 0, {1000, 300, 1000}, points);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].all, 4500u);
   EXPECT_EQ(points[1].all, 1000u);

@@ -143,7 +143,7 @@ TEST(LabelPoints, GoToOthersWhenADetectionIsNotWanted) {
     EXPECT_NE(std::find(labels.begin(), labels.end(), out + 1), labels.end());
     List<bool> wanted(items.size(), true);
     wanted[out] = false;
-    labeling.takeFrom(items, wanted, kEverywhereAlike, labeling.allRuns(), labels);
+    labeling.takeFrom(items, wanted, kEverywhereAlike, labeling.allRuns(), labelRuns(labels), labels);
     labelPoints(cloud, others, kEverywhereAlike, expected);
     for (std::uint32_t& label : expected) label += label > out ? 1 : 0;
     EXPECT_EQ(labels, expected);
