@@ -9,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "io/length_text.h"
 #include "io/name_tags.h"
 #include "io/outlines.h"
 #include "io/percent_text.h"

@@ -3,9 +3,9 @@
 // Sizes in words.
 #include "io/shape_text.h"
 
-#include <algorithm>
 #include <cstdio>
 
+#include "io/length_text.h"
 #include "primitect/detector.h"
 
 namespace primitect::io {
@@ -19,16 +19,9 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
-/// Two lengths in the unit that suits the larger.
-std::string areaText(double a, double b) {
-  const double longer = std::max(a, b), shorter = std::min(a, b);
-  if (longer >= 1.0) return format("%.2f", longer) + " x " + format("%.2f m", shorter);
-  return format("%.0f", 1000.0 * longer) + " x " + format("%.0f mm", 1000.0 * shorter);
-}
-
 std::string shapeSize(const Plane&, const Extent& extent) {
   const bool known = extent.size.x() > 0.0 && extent.size.y() > 0.0;
-  return known ? areaText(extent.size.x(), extent.size.y()) : "";
+  return known ? lengthsText(extent.size.head<2>().maxCoeff(), extent.size.head<2>().minCoeff()) : "";
 }
 
 std::string shapeSize(const Sphere& sphere, const Extent&) { return "r " + lengthText(sphere.radius); }
@@ -40,11 +33,6 @@ std::string shapeSize(const Cone& cone, const Extent&) {
 }
 
 }  // namespace
-
-std::string lengthText(double metres) {
-  if (metres >= 1.0) return format("%.2f m", metres);
-  return format(metres < 0.00995 ? "%.1f mm" : "%.0f mm", 1000.0 * metres);
-}
 
 std::string sizeText(const Detection& detection) {
   return std::visit([&](const auto& shape) { return shapeSize(shape, detection.extent); }, detection.shape);

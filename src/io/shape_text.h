@@ -9,9 +9,6 @@
 
 namespace primitect::io {
 
-/// "39 mm", below 10 mm "4.3 mm", from 1 m on "1.71 m".
-std::string lengthText(double metres);
-
 /// "610 x 420 mm", "r 203 mm", "r 39 mm", "half angle 12.3 deg"; a plane of unknown extent has no size: "".
 std::string sizeText(const Detection& detection);
 

@@ -151,7 +151,7 @@ void addCone(const MarkerMaker& maker, const Primitive& primitive, double alpha,
 Marker textMarker(const MarkerMaker& maker, const Primitive& primitive, const MarkerStyle& style) {
   Marker text = maker.make("_text", Marker::TEXT_VIEW_FACING, 1.0);
   const double distance = (toVec3(primitive.pose.pose.position) - style.viewpoint).norm();
-  text.scale.z = std::clamp(0.025 * distance, 0.01, 0.25);
+  text.scale.z = std::clamp(0.022 * distance, 0.01, 0.25);
   text.pose.position = pointMessage(textPosition(primitive, style.up, text.scale.z));
   text.color = lightened(text.color);
   text.text = describe(primitive);

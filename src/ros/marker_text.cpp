@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 #include "geometry_messages.h"
+#include "io/length_text.h"
 #include "io/percent_text.h"
 
 namespace primitect::ros_layer {
@@ -25,40 +26,24 @@ double reach(const Primitive& primitive, const Body& body, const Vec3& direction
   return 0.5 * primitive.size[2] * along + primitive.radius * std::sqrt(std::max(0.0, 1.0 - along * along));
 }
 
-std::string length(double metres) {
-  char text[32];
-  if (metres < 1.0) {
-    std::snprintf(text, sizeof text, "%.0f mm", 1000.0 * metres);
-  } else {
-    std::snprintf(text, sizeof text, "%.2f m", metres);
-  }
-  return text;
-}
-
+/// On one line: texts of things that are side by side would hide each other.
 std::string describeShape(const Primitive& primitive) {
-  if (primitive.type == Primitive::PLANE) return "plane";
-  if (primitive.type == Primitive::SPHERE) return "sphere r " + length(primitive.radius);
-  if (primitive.type == Primitive::CYLINDER) return "cylinder r " + length(primitive.radius);
-  char text[32];
-  std::snprintf(text, sizeof text, "cone %.0f deg", primitive.half_angle * 180.0 / M_PI);
-  return text;
-}
-
-/// What does not fit into the first line.
-std::string describeExtent(const Primitive& primitive) {
-  if (primitive.type == Primitive::SPHERE) return "";
-  if (primitive.type != Primitive::PLANE) return "\nlength " + length(primitive.size[2]);
-  char text[32];
-  std::snprintf(text, sizeof text, "\n%.2f x %.2f m", primitive.size[0], primitive.size[1]);
-  return text;
+  constexpr double kDegrees = 180.0 / M_PI;
+  if (primitive.type == Primitive::PLANE) return "plane " + io::lengthsText(primitive.size[0], primitive.size[1]);
+  if (primitive.type == Primitive::SPHERE) return "sphere r " + io::lengthText(primitive.radius);
+  if (primitive.type == Primitive::CYLINDER)
+    return "cylinder r " + io::lengthsText(primitive.radius, primitive.size[2]);
+  const long half_angle = std::lround(kDegrees * primitive.half_angle);
+  return "cone " + std::to_string(half_angle) + " deg, " + io::lengthText(primitive.size[2]);
 }
 
 }  // namespace
 
 std::string describe(const Primitive& primitive) {
-  const std::string confidence = io::percentText(primitive.confidence);
+  constexpr float kSure = 0.9f;  // what most are need not be read
+  const std::string confidence = primitive.confidence < kSure ? io::percentText(primitive.confidence) : "";
   return (primitive.concave ? "concave " : "") + describeShape(primitive) +
-         (confidence.empty() ? "" : " " + confidence) + describeExtent(primitive);
+         (confidence.empty() ? "" : " " + confidence);
 }
 
 Vec3 textPosition(const Primitive& primitive, const Vec3& up, double height) {

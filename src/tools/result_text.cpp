@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/length_text.h"
 #include "io/percent_text.h"
 #include "io/point_files.h"
 #include "io/shape_text.h"

@@ -3,6 +3,7 @@
 // Detections in numbers for programs and in words for people.
 #include <gtest/gtest.h>
 
+#include "io/length_text.h"
 #include "io/percent_text.h"
 #include "io/report.h"
 #include "io/shape_text.h"
@@ -173,6 +174,8 @@ TEST(NamesOfShapes, TellKindAndSizeInSuitableUnits) {
   EXPECT_EQ(nameText(detectionOf(Cylinder{{}, {0, 0, 1}, 1.714})), "cylinder r 1.71 m");
   EXPECT_EQ(nameText(detectionOf(Cone{{}, {0, 0, 1}, 0.5235987755982988})), "cone half angle 30.0 deg");
   EXPECT_EQ(lengthText(0.0043), "4.3 mm");
+  EXPECT_EQ(lengthsText(0.0043, 0.12), "4.3 x 120 mm");
+  EXPECT_EQ(lengthsText(0.2, 1.234), "0.20 x 1.23 m");
 }
 
 TEST(NamesOfShapes, SayWhatIsSeenFromInside) {
