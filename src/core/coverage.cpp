@@ -176,12 +176,16 @@ struct FlatView {
 /// Some of so many points, one of each equal part of them: of a table in view, every 640th pixel in steps that never
 /// change would be a column of the image.
 List<std::size_t> scattered(std::size_t all) {
-  constexpr double kGolden = 0.6180339887498949;
+  static const std::vector<double> kWithin = [] {
+    constexpr double kGolden = 0.6180339887498949;
+    std::vector<double> within;
+    for (std::size_t k = 0; k < kMostInliers; ++k) within.push_back(std::fmod(kGolden * static_cast<double>(k), 1.0));
+    return within;
+  }();
   const std::size_t count = std::min(all, kMostInliers);
   List<std::size_t> some;
   for (std::size_t k = 0; k < count; ++k) {
-    const double within = std::fmod(kGolden * static_cast<double>(k), 1.0);
-    const double place = (static_cast<double>(k) + within) * static_cast<double>(all) / static_cast<double>(count);
+    const double place = (static_cast<double>(k) + kWithin[k]) * static_cast<double>(all) / static_cast<double>(count);
     some.push_back(std::min(static_cast<std::size_t>(place), all - 1));
   }
   return some;

@@ -16,15 +16,16 @@ double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 /// Points that a hull has as corners, and few others: those that do not lie within the octagon of the outermost.
 List<Vec2> outermost(const List<Vec2>& points) {
-  constexpr std::size_t kDirections = 8;
-  // As they come around the hull: the octagon is counter-clockwise.
-  const Vec2 directions[kDirections] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  // Along x, x + y, y and y - x, and back: as the corners come around the hull, counter-clockwise.
+  constexpr std::size_t kAxes = 4, kDirections = 2 * kAxes;
+  double farthest[kDirections];
   Vec2 corners[kDirections];
-  for (std::size_t k = 0; k < kDirections; ++k) {
-    double farthest = -std::numeric_limits<double>::infinity();
-    for (const Vec2& p : points) {
-      const double far = directions[k].dot(p);
-      if (far > farthest) farthest = far, corners[k] = p;
+  std::fill_n(farthest, kDirections, -std::numeric_limits<double>::infinity());
+  for (const Vec2& p : points) {
+    const double along[kAxes] = {p.x(), p.x() + p.y(), p.y(), p.y() - p.x()};
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      if (along[k] > farthest[k]) farthest[k] = along[k], corners[k] = p;
+      if (-along[k] > farthest[kAxes + k]) farthest[kAxes + k] = -along[k], corners[kAxes + k] = p;
     }
   }
   List<std::pair<Vec2, Vec2>> sides;
