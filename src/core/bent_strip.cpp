@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/ramp.h"
+#include "core/strip.h"
 
 namespace primitect {
 
@@ -25,30 +26,16 @@ Bend bendAcross(const Plane& plane, const Extent& extent, const SeenPoints& poin
     sums += height * terms;
     squares += height * height;
   }
-  const Eigen::LDLT<Eigen::Matrix4d> solver(products);
-  const Eigen::Vector4d fit = solver.solve(sums);
-  const double rest = std::max(0.0, squares - fit.dot(sums)) / static_cast<double>(points.size());
-  const double variance = rest * solver.solve(Eigen::Vector4d::UnitW()).w();
   // Points in two lines do not tell; exact ones have no noise to measure.
-  constexpr double kExact = 1e-12;
-  if (!std::isfinite(fit.w()) || !(variance >= 0.0)) return {0.0, 0.0};
+  constexpr double kFewestFree = 1.0, kLeastSpread = 1e-3, kMostSpread = 1.0, kExact = 1e-12;
+  const double count = static_cast<double>(points.size()), free = count - 4.0;
+  const Eigen::LDLT<Eigen::Matrix4d> solver(products);
+  // What of the squares across nothing else explains: of points all over a strip 1 / 180 for each.
+  const double spread = 1.0 / solver.solve(Eigen::Vector4d::UnitW()).w();
+  if (!(free >= kFewestFree && spread > kLeastSpread * count && spread < kMostSpread * count)) return {0.0, 0.0};
+  const Eigen::Vector4d fit = solver.solve(sums);
+  const double variance = std::max(0.0, squares - fit.dot(sums)) / free / spread;
   return {-2.0 * fit.w(), -fit.w() / std::max(std::sqrt(variance), kExact)};
-}
-
-bool isStrip(const Extent& extent) {
-  constexpr double kLonger = 2.0;  // than wide
-  return extent.size.x() > kLonger * extent.size.y() && extent.size.y() > 0.0;
-}
-
-std::optional<Cylinder> tubeOf(const Plane& plane, const Extent& extent, const SeenPoints& points) {
-  // Less of a tube, between other strips of it, does not tell its radius: 33 mm were found of 15.
-  constexpr double kLeastTurn = 1.0, kLeastDeviations = 8.0;
-  if (points.empty() || !isStrip(extent)) return std::nullopt;
-  const Bend bend = bendAcross(plane, extent, points);
-  if (!(bend.turn > kLeastTurn && bend.deviations > kLeastDeviations)) return std::nullopt;
-  const double radius = extent.size.y() / bend.turn;
-  const Vec3 top = extent.origin - distance(plane, extent.origin) * plane.normal;
-  return Cylinder{top - radius * plane.normal, extent.rotation.col(0), radius};
 }
 
 double trustInFlat(const Plane& plane, const Extent& extent, const SeenPoints& points) {

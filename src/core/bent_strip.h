@@ -1,17 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A narrow plane that bends across is the side of a thin tube.
+// A narrow plane that bends across is the side of a thin tube, or of a bar.
 #pragma once
-
-#include <optional>
 
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// Whether a plane of this extent is much longer than wide.
-bool isStrip(const Extent& extent);
 
 /// How the points of a plane bend across the shorter side of its extent.
 struct Bend {
@@ -19,15 +14,12 @@ struct Bend {
   double deviations;  ///< the same in its standard deviations
 };
 
-/// Least squares of the heights above the plane, quadratic across; of points that are more than one line.
+/// Least squares of the heights above the plane, quadratic across; 0 where the points do not tell, as two lines.
 Bend bendAcross(const Plane& plane, const Extent& extent, const SeenPoints& points);
 
-/// The tube of which a strip that was taken for a plane may be the side, as its bend tells; nothing where it is no
-/// strip, does not bend far enough to tell, or is hollow. Windows of pixels that normals are fitted to are as wide as
-/// such a tube: its samples all have nearly the same normal, but its points are not in a plane.
-std::optional<Cylinder> tubeOf(const Plane& plane, const Extent& extent, const SeenPoints& points);
-
-/// What is left of the confidence in a plane, [0, 1]: nothing in a strip that bends, whatever it is.
+/// What is left of the confidence in a plane, [0, 1]: nothing in a strip that bends, whatever it is. Windows of pixels
+/// that normals are fitted to are as wide as a thin tube: its samples all have nearly the same normal, but its points
+/// are not in a plane.
 double trustInFlat(const Plane& plane, const Extent& extent, const SeenPoints& points);
 
 }  // namespace primitect

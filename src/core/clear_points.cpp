@@ -109,8 +109,8 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
 }  // namespace
 
 ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-                         const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise,
-                         const DepthRange& cut)
+                         const List<bool>& kept, const std::vector<std::uint32_t>& labels, List<bool> has_far_side,
+                         const NoiseModel& noise, const DepthRange& cut)
     : cloud_(cloud),
       normals_(normals),
       detections_(detections),
@@ -119,9 +119,11 @@ ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const 
       cut_(cut),
       has_far_side_(std::move(has_far_side)) {
   if (inImage()) return;
-  for (const Detection& detection : detections) {
-    shapes_.push_back(flattened(detection.shape, Vec3::Zero()));
-    parts_.emplace_back(detection.shape, detection.extent);
+  for (std::uint32_t k = 0; k < detections.size(); ++k) {
+    if (!kept.empty() && !kept[k]) continue;
+    others_.push_back(k);
+    shapes_.push_back(flattened(detections[k].shape, Vec3::Zero()));
+    parts_.emplace_back(detections[k].shape, detections[k].extent);
   }
 }
 
@@ -156,8 +158,8 @@ List<std::uint32_t> ClearPoints::apart(std::size_t detection, const List<std::ui
     places.count = std::min(kAtOnce, points.size() - begin);
     findPlaces(cloud_, normals_, detections_[detection], noise_, points.data() + begin, places);
     const Ball ball = places.ball();
-    for (std::size_t other = 0; other < shapes_.size(); ++other) {
-      if (other != detection && ball.meets(shapes_[other])) leaveOutNear(shapes_[other], parts_[other], places);
+    for (std::size_t k = 0; k < others_.size(); ++k) {
+      if (others_[k] != detection && ball.meets(shapes_[k])) leaveOutNear(shapes_[k], parts_[k], places);
     }
     for (std::size_t k = 0; k < places.count; ++k) {
       if (places.clear[k]) result.push_back(points[begin + k]);

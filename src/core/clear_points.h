@@ -27,10 +27,11 @@ struct CloudNormals {
 class ClearPoints {
  public:
   /// All must stay; `labels` are those of the detections, as markFarSides() (far_sides.h) leaves them, `has_far_side`
-  /// what it says of each detection; empty: none has one. cut: points at other depths are missing.
+  /// what it says of each detection; empty: none has one. kept: which detections others are kept apart from; empty:
+  /// all. cut: points at other depths are missing.
   ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
-              const std::vector<std::uint32_t>& labels, List<bool> has_far_side, const NoiseModel& noise,
-              const DepthRange& cut = {});
+              const List<bool>& kept, const std::vector<std::uint32_t>& labels, List<bool> has_far_side,
+              const NoiseModel& noise, const DepthRange& cut = {});
 
   /// Those of a detection's points (indices in the cloud)
   ///   depth camera         with no other label on a ring of eight pixels of its image, as far away as the noise
@@ -59,7 +60,8 @@ class ClearPoints {
   NoiseModel noise_;
   DepthRange cut_;
   List<bool> has_far_side_;          ///< of each detection; or empty
-  List<kernels::FlatShape> shapes_;  ///< of the detections of any other cloud
+  List<std::uint32_t> others_;       ///< kept detections of any other cloud
+  List<kernels::FlatShape> shapes_;  ///< the same
   List<ObservedPart> parts_;         ///< the same
 };
 

@@ -20,7 +20,7 @@ struct LabelledPoints {
   List<std::uint32_t> index;  ///< in the cloud, at most as many as asked for, evenly taken
   /// The outermost in each row of an image: all that its outline needs. Of a few pixels in a row none is.
   List<std::uint32_t> row_ends;
-  std::size_t all = 0;  ///< how many carry the label
+  std::size_t all = 0;  ///< how many carry the label, or how many points of the whole cloud these stand for
 };
 
 /// Points of the labels 1, 2, ..., of each at most as many as stands in `most`; other labels are none. width: of the

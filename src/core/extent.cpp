@@ -133,9 +133,10 @@ class Cells {
 
   /// Whether what is left holds a point in the cell of that one or in one that touches it.
   bool isNear(float u, float v) const {
+    if (per_cell_ == 0.0f) return false;  // points in one place: a cell has no size
     const float column = (u - low_u_) * per_cell_ + 1.0f, row = (v - low_v_) * per_cell_ + 1.0f;
-    const float last_column = static_cast<float>(columns_ - 1), last_row = static_cast<float>(rows_ - 1);
-    if (!(column >= 0.0f && column <= last_column && row >= 0.0f && row <= last_row)) return false;
+    const float columns = static_cast<float>(columns_), rows = static_cast<float>(rows_);
+    if (!(column >= 0.0f && column < columns && row >= 0.0f && row < rows)) return false;
     const int at_column = static_cast<int>(column), at_row = static_cast<int>(row);
     for (int r = std::max(at_row - 1, 0); r <= std::min(at_row + 1, rows_ - 1); ++r) {
       for (int c = std::max(at_column - 1, 0); c <= std::min(at_column + 1, columns_ - 1); ++c) {
@@ -191,7 +192,7 @@ class Cells {
 /// The outline is around all large parts: something in front may hide what lies between them. A few points of other
 /// objects that happen to lie in the plane do not stretch it. Parts are cells of three mean spacings that touch.
 Extent extentOf(const Plane& plane, const SeenPoints& inliers, const SeenPoints& outermost,
-                std::vector<Vec3>&& outline) {
+                std::vector<Vec3>& outline) {
   const SomePoints<kMostForDirection> some(inliers);
   const Vec3 mean = meanOf(some);
   Extent extent;
@@ -222,7 +223,7 @@ Extent extentOf(const Plane& plane, const SeenPoints& inliers, const SeenPoints&
   return extent;
 }
 
-Extent extentOf(const Sphere& sphere, const SeenPoints&, const SeenPoints&, std::vector<Vec3>&&) {
+Extent extentOf(const Sphere& sphere, const SeenPoints&, const SeenPoints&, std::vector<Vec3>&) {
   Extent extent;
   extent.origin = sphere.center;
   extent.radius = sphere.radius;
@@ -256,7 +257,7 @@ Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const 
   return frameAround(axis, meanOf(inliers) - point);
 }
 
-Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&&) {
+Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&) {
   const SomePoints<kMostPoints> some(inliers);
   const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some);
   Extent extent;
@@ -267,7 +268,7 @@ Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, const SeenP
   return extent;
 }
 
-Extent extentOf(const Cone& cone, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&&) {
+Extent extentOf(const Cone& cone, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&) {
   const SomePoints<kMostPoints> some(inliers);
   AxisRange range = rangeAlong(cone.apex, cone.axis, some);
   range.low = std::max(range.low, 0.0);
@@ -293,12 +294,7 @@ bool pointsUp(const Vec3& axis) {
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPoints& outermost,
                      std::vector<Vec3> outline) {
   if (inliers.empty()) return {};
-  Extent extent = std::visit([&](const auto& s) { return extentOf(s, inliers, outermost, std::move(outline)); }, shape);
-  if (kindOf(shape) != Kind::plane) {  // kept for a plane to come
-    outline.clear();
-    extent.hull = std::move(outline);
-  }
-  return extent;
+  return std::visit([&](const auto& s) { return extentOf(s, inliers, outermost, outline); }, shape);
 }
 
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {

@@ -64,10 +64,12 @@ struct Wall {
 /// The walls of one frame.
 class Walls {
  public:
-  Walls(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance)
+  Walls(const Cloud& cloud, const std::vector<Detection>& detections, const List<bool>& kept,
+        const Tolerance& tolerance)
       : cloud_(cloud), tolerance_(flattened(tolerance.noise, tolerance.deviations)) {
     for (const Detection& detection : detections) {
-      curved_.push_back(kindOf(detection.shape) != Kind::plane);
+      const bool has_say = kept.empty() || kept[curved_.size()];
+      curved_.push_back(has_say && kindOf(detection.shape) != Kind::plane);
       walls_.emplace_back(detection.shape, detection.concave);
       parts_.emplace_back(detection.shape, detection.extent);
     }
@@ -108,16 +110,16 @@ class Walls {
 
   const Cloud& cloud_;
   kernels::FlatTolerance tolerance_;
-  List<bool> curved_;
-  List<Wall> walls_;  ///< of each detection, also of planes
+  List<bool> curved_;  ///< and kept
+  List<Wall> walls_;   ///< of each detection, also of planes
   List<ObservedPart> parts_;
 };
 
 }  // namespace
 
-List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
-                        const List<LabelRun>& runs, std::vector<std::uint32_t>& labels) {
-  const Walls walls(cloud, detections, tolerance);
+List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const List<bool>& kept,
+                        const Tolerance& tolerance, const List<LabelRun>& runs, std::vector<std::uint32_t>& labels) {
+  const Walls walls(cloud, detections, kept, tolerance);
   List<bool> found(detections.size(), false);
   Points far;
   for (const LabelRun& run : runs) {
@@ -135,7 +137,7 @@ List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detect
 
 void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
                   std::vector<std::uint32_t>& labels) {
-  markFarSides(cloud, detections, tolerance, labelRuns(labels), labels);
+  markFarSides(cloud, detections, {}, tolerance, labelRuns(labels), labels);
   for (std::uint32_t& label : labels) label = label < kFarSide ? label : 0;
 }
 

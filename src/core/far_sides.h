@@ -20,9 +20,9 @@ constexpr std::uint32_t kFarSide = 1u << 31;
 /// Finds points of curved shapes, labelled by index + 1 of their detection, that lie on the side which a camera at the
 /// origin cannot see: a wall as thin as the noise is seen from inside there. Where its other surface is a detection,
 /// too, within the tolerance, they become points of that one; else they are marked. Returns which detections have
-/// marked points. runs: of these labels.
-List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,
-                        const List<LabelRun>& runs, std::vector<std::uint32_t>& labels);
+/// marked points. kept: which detections have a say; empty: all. runs: of these labels.
+List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const List<bool>& kept,
+                        const Tolerance& tolerance, const List<LabelRun>& runs, std::vector<std::uint32_t>& labels);
 
 /// The same, but takes the labels from the points that would be marked.
 void dropFarSides(const Cloud& cloud, const std::vector<Detection>& detections, const Tolerance& tolerance,

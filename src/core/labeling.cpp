@@ -144,8 +144,9 @@ void Labeling::label(const std::vector<Detection>& detections, const Tolerance& 
   labelWithin(runs, flat, labels.data());
 }
 
-void Labeling::takeFrom(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
-                        const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels) {
+void Labeling::labelWithout(const std::vector<Detection>& detections, const List<bool>& wanted,
+                            const Tolerance& tolerance, const PointRuns& runs, const List<LabelRun>& labelled,
+                            std::vector<std::uint32_t>& labels) {
   List<bool> concerned(numberOfRuns(*cloud_), false);
   for (const LabelRun& run : labelled) {
     if (wanted[run.label - 1]) continue;

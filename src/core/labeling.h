@@ -34,10 +34,11 @@ class Labeling {
   void label(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
              std::vector<std::uint32_t>& labels);
 
-  /// Labels again what label() gave to a detection that is not wanted any more, by its index, as if it were not there.
+  /// Labels again what label() gave to detections that are not wanted any more, by their index, as if these were not
+  /// there.
   /// labelled: the runs of these labels.
-  void takeFrom(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
-                const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels);
+  void labelWithout(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
+                    const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels);
 
   /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
   /// any.

@@ -108,28 +108,11 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   return fit;
 }
 
-/// What becomes a tube was taken for a plane, which is then its rival.
-void Measurement::lookForTube(Detection& detection) {
-  const Plane* const plane = std::get_if<Plane>(&detection.shape);
-  if (!plane || !noise_.ofDepthCamera() || limits_.params.convexity == "concave") return;
-  if (!isStrip(detection.extent)) return;  // nor of the samples, which end before the points do
-  detection.extent = measureExtent(*plane, points_, std::move(detection.extent.hull));
-  const std::optional<Cylinder> tube = tubeOf(*plane, detection.extent, points_);
-  if (!tube) return;
-  fit_points_.gather(points_, noise_);
-  const std::optional<Shape> fit = refineAlongRays(*tube, fit_points_);
-  if (!fit || !limits_.hold(*fit)) return;
-  detection.shape = canonical(*fit);
-  detection.extent = measureExtent(detection.shape, points_, std::move(detection.extent.hull));
-  detection.rival = Kind::plane;
-}
-
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                           Detection& detection) {
   points_.gather(cloud_, labelled.index);
-  outermost_.gather(cloud_, labelled.row_ends);
-  lookForTube(detection);
   const Kind kind = kindOf(detection.shape);
+  if (kind == Kind::plane) outermost_.gather(cloud_, labelled.row_ends);
   const Fit fit = fitted(clear, on_surface, detection);
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.

@@ -34,9 +34,8 @@ class Measurement {
   using OnSurface = std::function<List<std::uint32_t>(const Shape& fit, const List<std::uint32_t>& clear)>;
 
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
-  /// the fit. A narrow plane may become a tube (bent_strip.h). Where the surface is not seen although it should be
-  /// (seen_share.h), its size is left open (determination.h) or it is a strip of something else (strip.h), confidence
-  /// goes down.
+  /// the fit. Where the surface is not seen although it should be (seen_share.h), its size is left open
+  /// (determination.h) or it is a strip of something else (strip.h, bent_strip.h), confidence goes down.
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                Detection& detection);
 
@@ -48,7 +47,6 @@ class Measurement {
 
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
-  void lookForTube(Detection& detection);
   Shape start(const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;

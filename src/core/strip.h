@@ -12,6 +12,9 @@ namespace primitect {
 /// A plane whose points lie along a line, as far as the noise can tell: any plane through it would do.
 bool isLine(const Detection& detection, const NoiseModel& noise);
 
+/// Whether a plane of this extent is much longer than wide, of whatever width.
+bool isStrip(const Extent& extent);
+
 /// What is left of the confidence in a plane of this extent, [0, 1]: nothing where it is a long strip that runs on
 /// smoothly into other shapes, as what a cylinder that was fitted a little askew leaves over, more than a slat does
 /// that lies flat on something. For depth cameras: with normals as poor as those of other clouds may be, planes run

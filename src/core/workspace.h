@@ -90,7 +90,8 @@ struct Detector::Workspace {
   void findPoints(const Cloud& whole);
   List<std::size_t> countPoints(const List<LabelRun>& runs) const;
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
-  void findStretches();
+  Vec3 stretchOf(const Detection& item) const;
+  void labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs);
   void keepToTops();
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
@@ -119,7 +120,7 @@ struct Detector::Workspace {
   ThinnedList thinned;
   Labeling labeling_of_thinned;
   std::vector<std::uint32_t> labels;  ///< of the points of the thinned list
-  List<Vec3> stretches;               ///< of the extents, so that points beyond are looked at, too
+  List<bool> kept;                    ///< which detections have enough points
   List<bool> far_sides;               ///< which detections have points there
   List<LabelledPoints> points;        ///< of the detections
   NormalSource normal_source;         ///< of this frame

@@ -23,6 +23,27 @@ void stretch(const Vec3& factors, Extent& extent) {
   }
 }
 
+/// Sizes and corners of all extents, to be had back.
+class HeldExtents {
+ public:
+  explicit HeldExtents(const std::vector<Detection>& items) {
+    for (const Detection& item : items) {
+      sizes_.push_back(item.extent.size);
+      corners_.insert(corners_.end(), item.extent.hull.begin(), item.extent.hull.end());
+    }
+  }
+  void giveBack(std::vector<Detection>& items) const {
+    auto corner = corners_.begin();
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      items[k].extent.size = sizes_[k];
+      for (Vec3& of_item : items[k].extent.hull) of_item = *corner++;
+    }
+  }
+
+ private:
+  List<Vec3> sizes_, corners_;
+};
+
 }  // namespace
 
 /// What the measures are taken from: the cloud, or of a large list a part of it.
@@ -31,25 +52,32 @@ void Detector::Workspace::thin(const Cloud& whole) {
   if (thinned.thinned()) labeling_of_thinned.begin(thinned.cloud());
 }
 
-/// Points of each shape, within its part and around it.
-void Detector::Workspace::findPoints(const Cloud& whole) {
-  Labeling& of_cloud = thinned.thinned() ? labeling_of_thinned : labeling;
-  stretches.clear();
-  if (depth_camera) findStretches();
-  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k], result.items[k].extent);
+/// Labels, whose runs these become, in parts somewhat larger than the samples saw. What has too few points to be
+/// reported gives them to others: strips of the flanks of a tube, as planes. Of two that halve one surface neither is
+/// kept: not seen on 60 tables.
+void Detector::Workspace::labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs) {
+  const HeldExtents of_samples(result.items);
+  for (Detection& item : result.items) {
+    if (depth_camera) stretch(stretchOf(item), item.extent);
+  }
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
-  List<LabelRun> runs = labelRuns(labels);
-  // What has too few points to be reported has them from others: strips of the flanks of a tube, as planes.
-  const List<bool> enough = areEnough(countPoints(runs), whole);
-  if (std::find(enough.begin(), enough.end(), false) != enough.end()) {
-    of_cloud.takeFrom(result.items, enough, tolerance, of_cloud.allRuns(), runs, labels);
+  runs = labelRuns(labels);
+  kept = areEnough(countPoints(runs), whole);
+  if (std::find(kept.begin(), kept.end(), false) != kept.end()) {
+    of_cloud.labelWithout(result.items, kept, tolerance, of_cloud.allRuns(), runs, labels);
     runs = labelRuns(labels);
   }
-  for (std::size_t k = 0; k < stretches.size(); ++k) stretch(stretches[k].cwiseInverse(), result.items[k].extent);
-  far_sides.clear();
+  of_samples.giveBack(result.items);
+}
+
+/// Points of each shape, within its part and around it.
+void Detector::Workspace::findPoints(const Cloud& whole) {
+  List<LabelRun> runs;
+  labelStretched(thinned.thinned() ? labeling_of_thinned : labeling, whole, runs);
   const Cloud& cloud = thinned.cloud();
+  far_sides.clear();
   if (depth_camera) {
-    far_sides = markFarSides(cloud, result.items, tolerance, runs, labels);
+    far_sides = markFarSides(cloud, result.items, kept, tolerance, runs, labels);
     runs = labelRuns(labels);
   }
   pointsOfLabels(runs, cloud.organized() ? cloud.width : 0, mostPoints(), points);
@@ -96,8 +124,8 @@ void Detector::Workspace::keepToTops() {
     if (!level || of_item.index.empty()) continue;
     const Plane& plane = std::get<Plane>(segment.candidate.shape);
     const std::size_t before = of_item.index.size();
-    of_item.row_ends.clear();
     of_item.index = levelTop(thinned.cloud(), plane, *level, sigma, of_item.index);
+    if (of_item.index.size() < before) of_item.row_ends.clear();
     of_item.all = of_item.all * of_item.index.size() / before;
   }
 }
@@ -106,24 +134,21 @@ void Detector::Workspace::keepToTops() {
 /// than they are apart: points are looked for beyond. But where that is much of a plane, of few samples or narrow, what
 /// lies beside it would count as its own: .2 % less of what is found on 280 tables was right, and the front of a flat
 /// box, 28 mm high, tilted by 3 deg towards the table.
-void Detector::Workspace::findStretches() {
+Vec3 Detector::Workspace::stretchOf(const Detection& item) const {
   constexpr double kLonger = 1.5;               // of axes
-  constexpr double kSpacings = 0.75;            // of samples, on each side of a plane
-  constexpr double kMost = 0.2;                 // times as wide
+  constexpr double kSpacings = 0.3;             // of samples, on each side of a plane
+  constexpr double kMost = 0.2;                 // of a plane's width or length: with more it stays as it is
   constexpr std::uint32_t kEnoughSamples = 64;  // of a plane
-  for (const Detection& item : result.items) {
-    const Kind kind = kindOf(item.shape);
-    Vec3 stretch = Vec3::Ones();
-    if (kind == Kind::cylinder || kind == Kind::cone) stretch.z() = kLonger;
-    if (kind == Kind::plane && item.inlier_count >= kEnoughSamples) {
-      const Eigen::Vector2d size = item.extent.size.head<2>();
-      const double more = 2.0 * kSpacings * std::sqrt(size.prod() / item.inlier_count);
-      for (int k = 0; k < 2; ++k) {
-        if (more < kMost * size[k]) stretch[k] += more / size[k];
-      }
-    }
-    stretches.push_back(stretch);
+  const Kind kind = kindOf(item.shape);
+  Vec3 factors = Vec3::Ones();
+  if (kind == Kind::cylinder || kind == Kind::cone) factors.z() = kLonger;
+  if (kind != Kind::plane || item.inlier_count < kEnoughSamples) return factors;
+  const Eigen::Vector2d size = item.extent.size.head<2>();
+  const double more = 2.0 * kSpacings * std::sqrt(size.prod() / item.inlier_count);
+  for (int k = 0; k < 2; ++k) {
+    if (more < kMost * size[k]) factors[k] += more / size[k];
   }
+  return factors;
 }
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
@@ -132,13 +157,13 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   keepToTops();
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-  const ClearPoints clear(cloud, normals, result.items, labels, far_sides, verification.noise(), rangeOf(params));
+  const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), rangeOf(params));
   // Pixels of a projected image are not where a camera's were.
   const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
   Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
-  List<std::size_t> all;
-  for (const LabelledPoints& of_item : points) all.push_back(of_item.all);
-  const List<bool> enough = areEnough(all, whole);
+  List<std::size_t> left;
+  for (const LabelledPoints& of_item : points) left.push_back(of_item.all);
+  const List<bool> enough = areEnough(left, whole);  // and none of what was not kept
   const auto within = [this](std::size_t k) { return !isLine(result.items[k], verification.noise()); };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
   for (std::size_t k = 0; k < result.items.size(); ++k) {

@@ -63,7 +63,7 @@ struct TwoHalves {
     }
   }
   List<std::uint32_t> clear() const {
-    return ClearPoints(cloud, {}, detections, labels, has_far_side, kDepthCamera).of(0, of_left);
+    return ClearPoints(cloud, {}, detections, {}, labels, has_far_side, kDepthCamera).of(0, of_left);
   }
 };
 
@@ -123,7 +123,7 @@ struct BallOnFloor {
     labels.resize(2 * kCount, 2);
   }
   List<std::uint32_t> clearOfFloor() const {
-    return ClearPoints(cloud, normals, detections, labels, {}, kModel).of(0, upTo(kCount));
+    return ClearPoints(cloud, normals, detections, {}, labels, {}, kModel).of(0, upTo(kCount));
   }
 };
 
@@ -142,6 +142,16 @@ TEST(ClearPoints, OfUnorderedPointsAreBeyondTheNoiseOfOtherShapes) {
     }
   }
   EXPECT_GT(left_out, 20);
+}
+
+TEST(ClearPoints, AreNotKeptApartFromWhatIsNotKept) {
+  const BallOnFloor scene;
+  const auto clearOfFloor = [&](const List<bool>& kept) {
+    const ClearPoints clear(scene.cloud, scene.normals, scene.detections, kept, scene.labels, {}, kModel);
+    return clear.of(0, upTo(BallOnFloor::kCount));
+  };
+  EXPECT_EQ(clearOfFloor({true, true}), scene.clearOfFloor());
+  EXPECT_EQ(clearOfFloor({true, false}).size(), BallOnFloor::kCount);
 }
 
 TEST(ClearPoints, AreChosenByTheirPlaceOnTheSurfaceWhateverTheNoise) {
@@ -204,7 +214,7 @@ TEST(FarSides, LoseTheirLabels) {
   for (const bool concave : {false, true}) {
     WholeBall ball(concave);
     std::vector<std::uint32_t> marked = ball.labels;
-    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, labelRuns(marked), marked), List<bool>{true});
+    EXPECT_EQ(markFarSides(ball.cloud, ball.detections, {}, kTolerance, labelRuns(marked), marked), List<bool>{true});
     dropFarSides(ball.cloud, ball.detections, kTolerance, ball.labels);
     for (std::size_t i = 0; i < ball.labels.size(); ++i) {
       EXPECT_EQ(marked[i], ball.labels[i] == 1 ? 1 : 1 | kFarSide);
@@ -222,9 +232,14 @@ TEST(FarSides, BelongToTheOtherSurfaceOfAThinWallWhereThatWasFound) {
   // Noise alone decides which of the two is nearer.
   for (std::size_t i = 0; i < ball.labels.size(); ++i) ball.labels[i] = i % 3 == 0 ? 2 : 1;
   std::vector<std::uint32_t> marked = ball.labels;
-  EXPECT_EQ(markFarSides(ball.cloud, ball.detections, kTolerance, labelRuns(marked), marked), List<bool>(2, false));
+  EXPECT_EQ(markFarSides(ball.cloud, ball.detections, {}, kTolerance, labelRuns(marked), marked), List<bool>(2, false));
   for (std::size_t i = 0; i < marked.size(); ++i) EXPECT_EQ(marked[i], ball.faces_camera[i] ? 1u : 2u) << i;
-  // One that is too far inside has nothing to do with it.
+  // One that is not kept, or too far inside, has nothing to do with it.
+  marked.assign(marked.size(), 1);
+  const List<bool> only_outside = {true, false};
+  EXPECT_EQ(markFarSides(ball.cloud, ball.detections, only_outside, kTolerance, labelRuns(marked), marked),
+            only_outside);
+  for (std::size_t i = 0; i < marked.size(); ++i) EXPECT_EQ(marked[i], ball.faces_camera[i] ? 1u : 1u | kFarSide) << i;
   ball.detections[1].shape = Sphere{kBall.center, kBall.radius - 4.0 * kSigma};
   ball.labels.assign(ball.labels.size(), 1);
   dropFarSides(ball.cloud, ball.detections, kTolerance, ball.labels);
@@ -234,7 +249,8 @@ TEST(FarSides, BelongToTheOtherSurfaceOfAThinWallWhereThatWasFound) {
 TEST(FarSides, AreNotTakenFromPlanes) {
   TwoHalves halves;
   const std::vector<std::uint32_t> before = halves.labels;
-  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, kTolerance, labelRuns(halves.labels), halves.labels), List<bool>(2, false));
+  EXPECT_EQ(markFarSides(halves.cloud, halves.detections, {}, kTolerance, labelRuns(halves.labels), halves.labels),
+            List<bool>(2, false));
   EXPECT_EQ(halves.labels, before);
 }
 

@@ -140,9 +140,20 @@ TEST(Extent, OfAPlaneHoldsTheOutermostButNotWhatLiesApart) {
   for (int i = 0; i <= 10; ++i) {
     for (int j = 0; j <= 10; ++j) points.push_back({0.01 * i, 0.01 * j, 1.0});
   }
-  const Extent extent = measureExtent(plane, points, std::vector<Vec3>{{-0.02, 0.05, 1.0}, {0.25, 0.05, 1.0}}, {});
-  EXPECT_NEAR(extent.size.x(), 0.12, 1e-6);
-  EXPECT_NEAR(extent.origin.x(), 0.04, 1e-6);
+  const Vec3 apart(0.25, 0.05, 1.0), middle(0.05, 0.05, 1.0);
+  for (const Vec3& side : {Vec3(-0.07, 0, 0), Vec3(0.07, 0, 0), Vec3(0, -0.07, 0), Vec3(0, 0.07, 0)}) {
+    const Extent extent = measureExtent(plane, points, std::vector<Vec3>{middle + side, apart}, {});
+    EXPECT_NEAR(extent.size.x(), 0.12, 1e-6) << side.transpose();
+    EXPECT_NEAR(extent.size.y(), 0.1, 1e-6) << side.transpose();
+    EXPECT_LT((extent.origin - middle - side / 7.0).norm(), 1e-6) << side.transpose();
+  }
+}
+
+TEST(Extent, OfPointsInOnePlaceIsNotStretchedByOthers) {
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  const std::vector<Vec3> one(5, Vec3(0.1, 0.1, 1.0));
+  const Extent extent = measureExtent(plane, one, std::vector<Vec3>{{5.0, 0.1, 1.0}, {-3.0, 2.0, 1.0}}, {});
+  EXPECT_NEAR(extent.size.norm(), 0.0, 1e-6);
 }
 
 TEST(Extent, OfAThinStripIsTheWholeStrip) {

@@ -128,24 +128,27 @@ TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
   for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_EQ(labels_of_many[i], labels[i] == 0 ? 0 : labels[i] + 40) << i;
 }
 
-TEST(LabelPoints, GoToOthersWhenADetectionIsNotWanted) {
+TEST(LabelPoints, GoToOthersWhenSomeDetectionsAreNotWanted) {
   const Cloud cloud = cloudInOrder();
   std::vector<Detection> items = detections();
   items.push_back(items[2]);  // on the can, a little wider: it has the points that noise moved out
   std::get<Cylinder>(items[4].shape).radius += 0.002;
-  for (const std::size_t out : {0, 2, 4}) {
-    std::vector<Detection> others = items;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(out));
-    std::vector<std::uint32_t> labels, expected;
+  for (const List<bool>& wanted : {List<bool>{0, 1, 1, 1, 1}, List<bool>{1, 1, 0, 1, 1}, List<bool>{1, 1, 1, 1, 0},
+                                   List<bool>{0, 1, 0, 1, 1}, List<bool>{1, 1, 0, 1, 0}, List<bool>(5, false)}) {
+    std::vector<Detection> others;
+    std::vector<std::uint32_t> number = {0}, labels, expected;  // of each other one among all
+    for (std::uint32_t k = 0; k < items.size(); ++k) {
+      if (wanted[k]) others.push_back(items[k]), number.push_back(k + 1);
+    }
     Labeling labeling;
     labeling.begin(cloud);
     labeling.label(items, kEverywhereAlike, labeling.allRuns(), labels);
-    EXPECT_NE(std::find(labels.begin(), labels.end(), out + 1), labels.end());
-    List<bool> wanted(items.size(), true);
-    wanted[out] = false;
-    labeling.takeFrom(items, wanted, kEverywhereAlike, labeling.allRuns(), labelRuns(labels), labels);
+    for (std::uint32_t k = 0; k < items.size(); ++k) {
+      EXPECT_NE(std::find(labels.begin(), labels.end(), k + 1), labels.end()) << k;
+    }
+    labeling.labelWithout(items, wanted, kEverywhereAlike, labeling.allRuns(), labelRuns(labels), labels);
     labelPoints(cloud, others, kEverywhereAlike, expected);
-    for (std::uint32_t& label : expected) label += label > out ? 1 : 0;
+    for (std::uint32_t& label : expected) label = number[label];
     EXPECT_EQ(labels, expected);
   }
 }

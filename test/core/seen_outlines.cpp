@@ -65,7 +65,9 @@ TEST(SeenOutlines, GoNearlyToTheCornersOfTables) {
   ASSERT_GE(missed.size(), 50u);
   EXPECT_LT(quantile(missed, 0.9), 0.012);
   EXPECT_LT(quantile(missed, 1.0), 0.03);
-  EXPECT_LT(quantile(added, 0.9), 0.02);
+  // Points of what stands at an edge may be counted for the plane: with parts stretched by more these were 46 mm.
+  EXPECT_LT(quantile(added, 0.95), 0.015);
+  EXPECT_LT(quantile(added, 1.0), 0.03);
 }
 
 }  // namespace
