@@ -205,6 +205,9 @@ struct Loops {
   /// A bit for each of up to kPointsPerRun numbers, the first one lowest: set where it is not NaN.
   std::uint64_t (*measured)(const float* values, std::size_t count);
 
+  /// A bit for each of kPointsPerRun labels, the first one lowest: set where the next, of one more, is another.
+  std::uint64_t (*changes)(const std::uint32_t* labels);
+
   void (*feet)(const FlatShape& shape, const float* x, const float* y, const float* z, std::size_t count,
                const FlatFeet& feet);
 

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of labels against one label after the other.
+#include "core/label_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/random.h"
+#include "kernels/loops.h"
+
+namespace primitect {
+namespace {
+
+/// Labels up to 3 and one with the highest bit, in runs of up to so many.
+std::vector<std::uint32_t> randomLabels(std::size_t count, double longest, Random& random) {
+  std::vector<std::uint32_t> labels;
+  while (labels.size() < count) {
+    const auto label = static_cast<std::uint32_t>(random.uniform(0.0, 5.0));
+    const auto length = 1 + static_cast<std::size_t>(random.uniform(0.0, longest));
+    labels.insert(labels.end(), length, label < 4 ? label : (1u << 31 | 1u));
+  }
+  labels.resize(count);
+  return labels;
+}
+
+TEST(LabelRuns, HoldEveryLabelOnce) {
+  Random random(3);
+  for (const double longest : {1.0, 5.0, 200.0}) {
+    for (const std::size_t count : {0, 1, 2, 63, 64, 65, 66, 127, 128, 129, 1000}) {
+      const std::vector<std::uint32_t> labels = randomLabels(count, longest, random);
+      std::vector<std::uint32_t> again(count, 0);
+      std::uint32_t end = 0, before = 0;
+      for (const LabelRun& run : labelRuns(labels)) {
+        ASSERT_LT(run.begin, run.end);
+        EXPECT_TRUE(run.begin > end || (run.begin == end && run.label != before)) << count;
+        for (std::uint32_t i = run.begin; i < run.end; ++i) again[i] = run.label;
+        end = run.end, before = run.label;
+      }
+      EXPECT_EQ(again, labels);
+    }
+  }
+}
+
+TEST(LabelRuns, AreFoundByBitsOfEveryInstructionSet) {
+  constexpr std::size_t kRun = kernels::kPointsPerRun;
+  Random random(4);
+  for (int draw = 0; draw < 50; ++draw) {
+    const std::vector<std::uint32_t> labels = randomLabels(kRun + 1, 4.0, random);
+    std::vector<float> values;
+    for (std::size_t i = 0; i < kRun; ++i) {
+      values.push_back(labels[i] > 1 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(i));
+    }
+    const std::size_t count = draw % 2 == 0 ? kRun : static_cast<std::size_t>(random.uniform(0.0, 64.0));
+    std::uint64_t changes = 0, measured = 0;
+    for (std::size_t i = 0; i < kRun; ++i) {
+      changes |= static_cast<std::uint64_t>(labels[i] != labels[i + 1]) << i;
+      measured |= static_cast<std::uint64_t>(i < count && labels[i] <= 1) << i;
+    }
+    for (const kernels::Loops* loops : kernels::allLoops()) {
+      EXPECT_EQ(loops->changes(labels.data()), changes) << loops->name;
+      EXPECT_EQ(loops->measured(values.data(), count), measured) << loops->name << " " << count;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace primitect
