@@ -119,7 +119,7 @@ void PairVoting::begin(const Samples& samples, double scene_diameter) {
   rules_ = votingRules(params_, scene_diameter);
   if (all_pairs_) rules_.most_boxes = 0;
   boxes_.enclose(samples);
-  accumulators_.prepare(params_.radius_bin * scene_diameter, samples.size());
+  accumulators_.prepare(params_.radius_bin * scene_diameter * radius_stretch_, samples.size());
 }
 
 void PairVoting::voteAt(std::uint32_t sample, List<Candidate>& candidates) {

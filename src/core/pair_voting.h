@@ -39,6 +39,9 @@ class PairVoting {
   /// Whether a reference votes with all samples within reach, or with verify only with the nearest where they are many.
   void pairWithAll(bool all) { all_pairs_ = all; }
 
+  /// Bins of radii are so many times as wide as params.radius_bin says, and reach so many times as far.
+  void stretchRadii(double times) { radius_stretch_ = times; }
+
   /// Gets ready for references among these samples, which must stay until the last one has voted. d_s in m.
   void begin(const Samples& samples, double scene_diameter);
 
@@ -68,6 +71,7 @@ class PairVoting {
   Params params_;
   std::size_t most_references_;
   bool all_pairs_ = false;
+  double radius_stretch_ = 1.0;
   const kernels::Kernels& kernels_;
   const Samples* samples_ = nullptr;
   std::size_t references_ = 0;

@@ -24,6 +24,16 @@ void describe(const Candidate& candidate, Hypothesis& hypothesis) {
   hypothesis.votes = candidate.votes;
 }
 
+/// How far from its reference a candidate's samples are gathered (m): in depth frames so far that a ball or a tube of
+/// its radius would be seen to curve (curvature.h).
+double reachFor(const Candidate& candidate, const ProposalRules& rules) {
+  constexpr double kArc = 0.8;  // of the radius
+  const Sphere* sphere = std::get_if<Sphere>(&candidate.shape);
+  const Cylinder* cylinder = std::get_if<Cylinder>(&candidate.shape);
+  const double radius = sphere ? sphere->radius : cylinder ? cylinder->radius : 0.0;
+  return rules.noise.ofDepthCamera() ? std::max(rules.reach, kArc * radius) : rules.reach;
+}
+
 /// Gains of samples for one shape, of so many at once as soon as one of them is asked for: neighbours are asked for
 /// next, and together they take hardly longer than two of them alone.
 struct KnownGains {
@@ -47,7 +57,7 @@ class MayStandFor {
         side_(candidate.concave ? -1.0f : 1.0f),
         scale_(static_cast<float>(1.0 / widenFor(candidate, rules))),
         point_(candidate.point.cast<float>()),
-        reach_(static_cast<float>(rules.reach)) {
+        reach_(static_cast<float>(reachFor(candidate, rules))) {
     gains_.begin(samples.size());
   }
 

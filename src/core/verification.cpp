@@ -38,17 +38,16 @@ void Verification::begin(const FrameScale& scale) {
   refusals_ = {};
 }
 
-Limits Verification::limits() const {
-  return {params_, params_.radius_bin * params_.radius_bins * scale_.scene_diameter};
-}
+double Verification::radiusBin() const { return params_.radius_bin * scale_.scene_diameter * scale_.radius_stretch; }
+
+Limits Verification::limits() const { return {params_, radiusBin() * params_.radius_bins}; }
 
 ProposalRules Verification::rules() const {
   // Votes tell a shape to about a bin.
   constexpr double kMostWiden = 3.0;
   const double typical =
       noise_.ofDepthCamera() && samples_.size() > 0 ? noise_.at(samples_.point(samples_.size() / 2)) : noise_.distance;
-  const double off = params_.radius_bin * scale_.scene_diameter;
-  const double widen = std::clamp(off / (kInlierDeviations * typical), 1.0, kMostWiden);
+  const double widen = std::clamp(radiusBin() / (kInlierDeviations * typical), 1.0, kMostWiden);
   return {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
 }
 

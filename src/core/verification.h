@@ -21,6 +21,7 @@ namespace primitect {
 struct FrameScale {
   double scene_diameter = 1.0;  ///< d_s, m
   bool depth_camera = false;    ///< depth along z: its noise grows with it
+  double radius_stretch = 1.0;  ///< bins of radii are so many times as wide as params.radius_bin says
 };
 
 /// All hypotheses of a frame and the samples that they are checked on.
@@ -68,6 +69,7 @@ class Verification {
   /// The normal of that large plane which this plane is most parallel to: what it may stand on; nothing where there is
   /// none.
   std::optional<Vec3> levelOf(const Segment& plane) const;
+  double radiusBin() const;  ///< m
   Limits limits() const;
 
  private:

@@ -137,14 +137,31 @@ void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>&
                samples);
 }
 
+namespace {
+
+double meanDepth(const Samples& samples) {
+  return std::accumulate(samples.z.begin(), samples.z.end(), 0.0) / static_cast<double>(samples.size());
+}
+
+}  // namespace
+
 /// d_s of the first samples; 0 when all are in one place. With a depth camera at least their mean depth, or what was
 /// cut out of its image, like one object, would be looked at with bins and pairs so small that they tell only noise,
 /// and for radii smaller than its own.
 double Detector::Workspace::sceneDiameter() const {
   const double seen = boundingBoxDiagonal(samples);
   if (!depth_camera || !(seen > 0.0)) return seen;
-  const double depth = std::accumulate(samples.z.begin(), samples.z.end(), 0.0) / static_cast<double>(samples.size());
-  return std::max(seen, depth);
+  return std::max(seen, meanDepth(samples));
+}
+
+/// A ball or a tube close up, alone in the image of a depth camera, may have a radius of six tenths of what is seen of
+/// it: bins of radii reach that far. Usually they do: what is around a thing makes d_s large, a wall 1.6 times its
+/// depth.
+double Detector::Workspace::radiusStretch() const {
+  constexpr double kAlone = 1.5, kOfSeen = 0.6;
+  const double seen = boundingBoxDiagonal(samples);
+  if (!depth_camera || !(seen > 0.0) || seen > kAlone * meanDepth(samples)) return 1.0;
+  return std::max(1.0, kOfSeen * seen / (params.radius_bin * params.radius_bins * result.scene_diameter));
 }
 
 /// d_s, and what noise to expect, from the first samples.
@@ -157,7 +174,9 @@ void Detector::Workspace::measureScale() {
                std::cos(params.inlier_angle_deg * M_PI / 180.0), kJustSo};
   // With noise that is the same everywhere, cones need their distant pairs.
   voting.pairWithAll(!depth_camera);
-  verification.begin({result.scene_diameter, depth_camera});
+  const double stretch = radiusStretch();
+  voting.stretchRadii(stretch);
+  verification.begin({result.scene_diameter, depth_camera, stretch});
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {

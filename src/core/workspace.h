@@ -79,6 +79,7 @@ struct Detector::Workspace {
   std::size_t mostSamples(const Cloud& cloud);
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
   double sceneDiameter() const;
+  double radiusStretch() const;
   void measureScale();
   bool improveNormals(const Cloud& cloud);
   void measureNoise(const Cloud& cloud);

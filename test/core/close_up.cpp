@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A ball or a tube so close that little else is in the image: d_s is hardly more than twice its radius.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "primitect/detector.h"
+#include "synthetic/frame.h"
+
+namespace primitect {
+namespace {
+
+/// A body alone in the image, its middle `depth` (m) away from the camera and its long axis up.
+template <class Shape>
+Cloud closeUp(const Shape& shape, double depth, double noise_scale, std::uint64_t seed) {
+  synthetic::World world;
+  world.add("thing", shape,
+            Eigen::Translation3d(0.0, 0.0, depth) * Eigen::Isometry3d(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX())));
+  synthetic::FrameParams params;
+  params.noise.scale = noise_scale;
+  if (noise_scale == 0.0) params.noise.disparity_step = 0.0;
+  params.noise.max_incidence_deg = 90.0;
+  const synthetic::PinholeCamera camera;
+  Cloud cloud;
+  cloudFromDepth(renderFrame(world, camera, Eigen::Isometry3d::Identity(), params, seed, 0).depth, camera,
+                 params.truth.range, cloud);
+  return cloud;
+}
+
+/// Radii beyond all bins had no votes, and more than twenty planes took what a ball of 20 cm at 60 cm shows.
+TEST(CloseUp, ABallIsABall) {
+  std::uint64_t seed = 0;
+  for (const double share_of_depth : {0.2, 0.28, 0.33, 0.38}) {
+    for (const double depth : {0.9, 1.2, 1.5}) {
+      for (const double noise_scale : {0.0, 1.0}) {
+        const double radius = share_of_depth * depth;
+        Detector detector{Params()};
+        const auto result = detector.detect(closeUp(synthetic::Ball{radius}, depth, noise_scale, ++seed));
+        ASSERT_EQ(result.items.size(), 1u) << radius << " at " << depth << ", noise " << noise_scale;
+        const Sphere* const found = std::get_if<Sphere>(&result.items[0].shape);
+        ASSERT_TRUE(found) << radius << " at " << depth << ", noise " << noise_scale;
+        EXPECT_NEAR(found->radius, radius, 0.01 * radius);
+        EXPECT_NEAR(found->center.z(), depth, 0.01 * radius);
+      }
+    }
+  }
+}
+
+/// Pairs within reach of a candidate turned too little to be anything but planes: strips of the tube they were.
+TEST(CloseUp, ATubeIsATube) {
+  std::uint64_t seed = 100;
+  for (const double share_of_depth : {0.15, 0.2, 0.25, 0.28}) {
+    for (const double depth : {0.9, 1.2}) {
+      for (const double noise_scale : {0.0, 1.0}) {
+        const double radius = share_of_depth * depth;
+        Detector detector{Params()};
+        const auto result = detector.detect(closeUp(synthetic::Rod{radius, 1.5 * radius}, depth, noise_scale, ++seed));
+        ASSERT_GE(result.items.size(), 1u) << radius << " at " << depth << ", noise " << noise_scale;
+        const Cylinder* const found = std::get_if<Cylinder>(&result.items[0].shape);
+        ASSERT_TRUE(found) << radius << " at " << depth << ", noise " << noise_scale;
+        EXPECT_NEAR(found->radius, radius, 0.01 * radius);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace primitect
