@@ -71,6 +71,15 @@ Cylinder straightened(const Cone& cone, const SeenSide& side) {
   return {side.point - side.radius * side.outward, (side.point - cone.apex).normalized(), side.radius};
 }
 
+/// The ball around the axis of a cone that touches it all around, where the middle of its points is along the axis: of
+/// a small ball, whose normals come from windows as wide as itself, most is like the cone.
+std::optional<Sphere> ballWithin(const Cone& cone, const Vec3& middle) {
+  const double along = (middle - cone.apex).dot(cone.axis);
+  if (!(along > 0.0)) return std::nullopt;
+  const double cosine = std::cos(cone.half_angle);
+  return Sphere{cone.apex + along / (cosine * cosine) * cone.axis, along * std::tan(cone.half_angle) / cosine};
+}
+
 /// The shape and its neighbours: what points that were taken for it may be as well. One that agrees much worse with
 /// them will not get there.
 List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
@@ -92,6 +101,7 @@ List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
       add(straightened(*cone, *side));
       addBall(*side);
     }
+    if (const auto ball = ballWithin(*cone, points.middle())) add(*ball);
   }
   return starts;
 }

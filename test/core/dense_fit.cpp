@@ -112,6 +112,28 @@ TEST(RefineOnPoints, TurnsACylinderOnABandOfABallIntoTheBall) {
   EXPECT_LT((std::get<Sphere>(found).center - bowl.center).norm(), 0.002);
 }
 
+/// The front of a ball of 25 mm, seen from below in z, its points up to 60 deg from the nearest one, and the cone that
+/// touches it all around.
+TEST(RefineOnPoints, TurnsAConeAroundTheFrontOfABallIntoTheBall) {
+  constexpr double kRadius = 0.025, kHalfAngle = 48.0 * kDegree;
+  const Sphere ball = {Vec3(0.01, -0.02, 1.0), kRadius};
+  const Cone cone = {ball.center - kRadius / std::sin(kHalfAngle) * Vec3::UnitZ(), Vec3::UnitZ(), kHalfAngle};
+  for (const std::uint64_t seed : {71, 72, 73}) {
+    Random random(seed);
+    std::vector<SurfacePoint> points, on_cone;
+    while (points.size() < 500) {
+      const double polar = std::acos(random.uniform(0.5, 1.0)), turn = random.uniform(0.0, 2.0 * M_PI);
+      const Vec3 normal(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), -std::cos(polar));
+      points.push_back({ball.center + kRadius * normal, normal});
+    }
+    const Shape found = refined(cone, noisySamples(points, 0.0, random));
+    ASSERT_EQ(kindOf(found), Kind::sphere);
+    EXPECT_NEAR(std::get<Sphere>(found).radius, kRadius, 0.001);
+    on_cone = patchOf(cone, 500, 0.005, 0.03, random);
+    EXPECT_EQ(kindOf(refined(cone, noisySamples(on_cone, 0.0, random))), Kind::cone);
+  }
+}
+
 TEST(RefineOnPoints, LeavesAShortTubeATube) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Random random(seed);

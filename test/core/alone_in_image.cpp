@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A ball or a tube so close that little else is in the image: d_s is hardly more than twice its radius.
+// A ball or a tube alone in the image, so close that d_s is hardly more than twice its radius.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@ namespace {
 
 /// A body alone in the image, its middle `depth` (m) away from the camera and its long axis up.
 template <class Shape>
-Cloud closeUp(const Shape& shape, double depth, double noise_scale, std::uint64_t seed) {
+Cloud imageOf(const Shape& shape, double depth, double noise_scale, std::uint64_t seed) {
   synthetic::World world;
   world.add("thing", shape,
             Eigen::Translation3d(0.0, 0.0, depth) * Eigen::Isometry3d(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX())));
@@ -30,14 +30,14 @@ Cloud closeUp(const Shape& shape, double depth, double noise_scale, std::uint64_
 }
 
 /// Radii beyond all bins had no votes, and more than twenty planes took what a ball of 20 cm at 60 cm shows.
-TEST(CloseUp, ABallIsABall) {
+TEST(AloneInImage, ALargeBallIsABall) {
   std::uint64_t seed = 0;
   for (const double share_of_depth : {0.2, 0.28, 0.33, 0.38}) {
     for (const double depth : {0.9, 1.2, 1.5}) {
       for (const double noise_scale : {0.0, 1.0}) {
         const double radius = share_of_depth * depth;
         Detector detector{Params()};
-        const auto result = detector.detect(closeUp(synthetic::Ball{radius}, depth, noise_scale, ++seed));
+        const auto result = detector.detect(imageOf(synthetic::Ball{radius}, depth, noise_scale, ++seed));
         ASSERT_EQ(result.items.size(), 1u) << radius << " at " << depth << ", noise " << noise_scale;
         const Sphere* const found = std::get_if<Sphere>(&result.items[0].shape);
         ASSERT_TRUE(found) << radius << " at " << depth << ", noise " << noise_scale;
@@ -49,14 +49,14 @@ TEST(CloseUp, ABallIsABall) {
 }
 
 /// Pairs within reach of a candidate turned too little to be anything but planes: strips of the tube they were.
-TEST(CloseUp, ATubeIsATube) {
+TEST(AloneInImage, AWideTubeIsATube) {
   std::uint64_t seed = 100;
   for (const double share_of_depth : {0.15, 0.2, 0.25, 0.28}) {
     for (const double depth : {0.9, 1.2}) {
       for (const double noise_scale : {0.0, 1.0}) {
         const double radius = share_of_depth * depth;
         Detector detector{Params()};
-        const auto result = detector.detect(closeUp(synthetic::Rod{radius, 1.5 * radius}, depth, noise_scale, ++seed));
+        const auto result = detector.detect(imageOf(synthetic::Rod{radius, 1.5 * radius}, depth, noise_scale, ++seed));
         ASSERT_GE(result.items.size(), 1u) << radius << " at " << depth << ", noise " << noise_scale;
         const Cylinder* const found = std::get_if<Cylinder>(&result.items[0].shape);
         ASSERT_TRUE(found) << radius << " at " << depth << ", noise " << noise_scale;
