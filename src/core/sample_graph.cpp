@@ -75,8 +75,13 @@ void SampleGraph::grow(List<std::uint32_t>& part) {
 
 void SampleGraph::order(List<std::uint32_t>& part) const {
   constexpr std::uint64_t kMarks = kInPart * 0x0101010101010101ull;
+  constexpr std::size_t kLarge = 32;  // one in so many samples: such a part is sorted in the same time
+  if (part.size() < state_.size() / kLarge) {
+    std::sort(part.begin(), part.end());
+    return;
+  }
   std::size_t found = 0;
-  for (std::size_t first = 0; found < part.size(); first += kStatesAtOnce) {
+  for (std::size_t first = 0; found < part.size() && first < state_.size(); first += kStatesAtOnce) {
     std::uint64_t states;
     std::memcpy(&states, state_.data() + first, kStatesAtOnce);
     if ((states & kMarks) == 0) continue;

@@ -47,7 +47,8 @@ class SampleGraph {
   void forget();
   /// Adds to the part what can be reached from what is in it, and marks it.
   void grow(List<std::uint32_t>& part);
-  /// Puts the part, whose samples are marked as such, in rising order: to look at all marks is faster than to sort.
+  /// Puts the part, whose samples are marked as such, in rising order; of large parts to look at all
+  /// marks is faster than to sort.
   void order(List<std::uint32_t>& part) const;
   void store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys);
 

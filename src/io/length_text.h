@@ -17,15 +17,18 @@ inline std::string digits(double metres, bool in_metres) {
   return text;
 }
 
+/// Whether whole millimetres would be a thousand or more.
+inline bool saidInMetres(double metres) { return metres >= 0.9995; }
+
 /// "39 mm", below 10 mm "4.3 mm", from 1 m on "1.71 m".
 inline std::string lengthText(double metres) {
-  const bool in_metres = metres >= 1.0;
+  const bool in_metres = saidInMetres(metres);
   return digits(metres, in_metres) + (in_metres ? " m" : " mm");
 }
 
-/// Two in the unit that suits the larger: "39 x 120 mm", "1.40 x 0.82 m".
+/// Two sides in the unit that suits the larger: "39 x 120 mm", "1.40 x 0.82 m".
 inline std::string lengthsText(double a, double b) {
-  const bool in_metres = std::max(a, b) >= 1.0;
+  const bool in_metres = saidInMetres(std::max(a, b));
   return digits(a, in_metres) + " x " + digits(b, in_metres) + (in_metres ? " m" : " mm");
 }
 

@@ -53,6 +53,13 @@ TEST(BentStrip, IsNoPlane) {
   EXPECT_EQ(trustInFlat(kPlane, Extent(), std::vector<Vec3>()), 1.0);
 }
 
+/// What is no strip is left to the competition of kinds.
+TEST(BentStrip, IsNoneThatIsWide) {
+  const std::vector<Vec3> wide = strip(0.02, 0.03, 0.015, 0.0);
+  EXPECT_GT(std::abs(bendAcross(kPlane, measureExtent(kPlane, wide), wide).turn), 0.6);
+  EXPECT_EQ(trustInFlat(kPlane, measureExtent(kPlane, wide), wide), 1.0);
+}
+
 double trustIn(const std::vector<Vec3>& points) { return trustInFlat(kPlane, measureExtent(kPlane, points), points); }
 
 TEST(BentStrip, IsNoneThatNoiseMayHaveBent) {
@@ -61,9 +68,9 @@ TEST(BentStrip, IsNoneThatNoiseMayHaveBent) {
   EXPECT_GT(std::abs(bendAcross(kPlane, measureExtent(kPlane, narrow), narrow).turn), 0.4);
   EXPECT_EQ(trustIn(narrow), 1.0);
   Random random(7);
-  for (int draw = 0; draw < 200; ++draw) {
+  for (int draw = 0; draw < 500; ++draw) {
     std::vector<Vec3> few;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4 + draw % 10; ++k) {
       few.push_back(kPlane.point +
                     Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1), 2.0 * kNoise * random.gaussian()));
     }

@@ -146,12 +146,18 @@ TEST(ClearPoints, OfUnorderedPointsAreBeyondTheNoiseOfOtherShapes) {
 
 TEST(ClearPoints, AreNotKeptApartFromWhatIsNotKept) {
   const BallOnFloor scene;
-  const auto clearOfFloor = [&](const List<bool>& kept) {
+  List<std::uint32_t> of_ball = upTo(BallOnFloor::kCount);
+  for (std::uint32_t& i : of_ball) i += BallOnFloor::kCount;
+  const auto clearOf = [&](std::size_t detection, const List<bool>& kept) {
     const ClearPoints clear(scene.cloud, scene.normals, scene.detections, kept, scene.labels, {}, kModel);
-    return clear.of(0, upTo(BallOnFloor::kCount));
+    return clear.of(detection, detection == 0 ? upTo(BallOnFloor::kCount) : of_ball);
   };
-  EXPECT_EQ(clearOfFloor({true, true}), scene.clearOfFloor());
-  EXPECT_EQ(clearOfFloor({true, false}).size(), BallOnFloor::kCount);
+  EXPECT_EQ(clearOf(0, {true, true}), scene.clearOfFloor());
+  EXPECT_EQ(clearOf(0, {true, false}).size(), BallOnFloor::kCount);
+  const std::vector<Detection> ball = {scene.detections[1]};
+  const List<std::uint32_t> alone =
+      ClearPoints(scene.cloud, scene.normals, ball, {}, scene.labels, {}, kModel).of(0, of_ball);
+  EXPECT_EQ(clearOf(1, {false, true}), alone);
 }
 
 TEST(ClearPoints, AreChosenByTheirPlaceOnTheSurfaceWhateverTheNoise) {

@@ -129,10 +129,10 @@ TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
 }
 
 TEST(LabelPoints, GoToOthersWhenSomeDetectionsAreNotWanted) {
-  const Cloud cloud = cloudInOrder();
   std::vector<Detection> items = detections();
   items.push_back(items[2]);  // on the can, a little wider: it has the points that noise moved out
   std::get<Cylinder>(items[4].shape).radius += 0.002;
+  const Cloud cloud = cloudInOrder();
   for (const List<bool>& wanted : {List<bool>{0, 1, 1, 1, 1}, List<bool>{1, 1, 0, 1, 1}, List<bool>{1, 1, 1, 1, 0},
                                    List<bool>{0, 1, 0, 1, 1}, List<bool>{1, 1, 0, 1, 0}, List<bool>(5, false)}) {
     std::vector<Detection> others;
@@ -151,6 +151,23 @@ TEST(LabelPoints, GoToOthersWhenSomeDetectionsAreNotWanted) {
     for (std::uint32_t& label : expected) label = number[label];
     EXPECT_EQ(labels, expected);
   }
+}
+
+TEST(LabelPoints, OfLongStretchesAllGoToOthers) {
+  Random random(63);
+  const Cloud cloud = test::cloudOf(patchOf(kTable, 1000, 0.03, random));  // without gaps
+  std::vector<Detection> items = detections();
+  items.push_back(items[0]);  // beside the table's plane
+  std::get<Plane>(items[4].shape).point += 0.004 * kTable.normal;
+  const List<bool> wanted = {0, 1, 1, 1, 1};
+  Labeling labeling;
+  labeling.begin(cloud);
+  std::vector<std::uint32_t> labels;
+  labeling.label(items, kEverywhereAlike, labeling.allRuns(), labels);
+  ASSERT_GT(std::count(labels.begin(), labels.end(), 1u), 900);
+  labeling.labelWithout(items, wanted, kEverywhereAlike, labeling.allRuns(), labelRuns(labels), labels);
+  EXPECT_GT(std::count(labels.begin(), labels.end(), 5u), 900);
+  EXPECT_EQ(std::count(labels.begin(), labels.end(), 1u), 0);
 }
 
 TEST(Unexplained, AreThePointsWithoutALabel) {

@@ -158,6 +158,35 @@ TEST(Connected, BeginsAtNeighborsOfAStartOutsideOfTheSet) {
   EXPECT_TRUE(partOf(samples, range(120, 200), 55).empty());
 }
 
+/// Two patches whose samples take turns, and a third one of three samples: large and small parts, each in rising order.
+TEST(Parts, HoldTheirSamplesInRisingOrder) {
+  std::vector<Vec3> points;
+  List<List<std::uint32_t>> expected(3);
+  Random random(41);
+  for (int k = 0; k < 300; ++k) {
+    const bool right = random.uniform(0.0, 1.0) < 0.5;
+    expected[right ? 1 : 0].push_back(static_cast<std::uint32_t>(points.size()));
+    points.emplace_back((right ? 1.0 : 0.0) + random.uniform(0.0, 0.1), random.uniform(0.0, 0.1), 1.0);
+    if (k % 34 != 33) continue;
+    expected[2].push_back(static_cast<std::uint32_t>(points.size()));
+    points.emplace_back(random.uniform(0.0, 0.02), 2.0, 1.0);
+  }
+  ASSERT_NE(points.size() % 8, 0u);
+  SampleGraph graph;
+  graph.build(samplesAt(points));
+  const auto parts = graph.parts(range(0, static_cast<std::uint32_t>(points.size())), 1);
+  ASSERT_GE(parts.size(), 2u);
+  List<std::uint32_t> all;
+  for (const List<std::uint32_t>& part : parts) {
+    EXPECT_TRUE(std::is_sorted(part.begin(), part.end()));
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  for (const List<std::uint32_t>& part : expected) EXPECT_NE(std::find(parts.begin(), parts.end(), part), parts.end());
+  EXPECT_EQ(all.size(), points.size());
+  const auto together = graph.largeParts(range(0, static_cast<std::uint32_t>(points.size())), 50);
+  EXPECT_TRUE(std::is_sorted(together.begin(), together.end()));
+}
+
 TEST(LargeParts, LeaveOutWhatIsTooSmallTogether) {
   // Seven columns, a gap, two columns: seventy samples and twenty.
   const Samples samples = columnsWith(9, 7, 0.1);

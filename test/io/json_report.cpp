@@ -176,6 +176,9 @@ TEST(NamesOfShapes, TellKindAndSizeInSuitableUnits) {
   EXPECT_EQ(lengthText(0.0043), "4.3 mm");
   EXPECT_EQ(lengthsText(0.0043, 0.12), "4.3 x 120 mm");
   EXPECT_EQ(lengthsText(0.2, 1.234), "0.20 x 1.23 m");
+  EXPECT_EQ(lengthText(0.9994), "999 mm");
+  EXPECT_EQ(lengthText(0.9996), "1.00 m");
+  EXPECT_EQ(lengthsText(0.9996, 0.3), "1.00 x 0.30 m");
 }
 
 TEST(NamesOfShapes, SayWhatIsSeenFromInside) {
