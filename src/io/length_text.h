@@ -26,7 +26,7 @@ inline std::string lengthText(double metres) {
   return digits(metres, in_metres) + (in_metres ? " m" : " mm");
 }
 
-/// Two sides in the unit that suits the larger: "39 x 120 mm", "1.40 x 0.82 m".
+/// Two sides in the unit that suits the larger: "390 x 120 mm", "1.40 x 0.82 m".
 inline std::string lengthsText(double a, double b) {
   const bool in_metres = saidInMetres(std::max(a, b));
   return digits(a, in_metres) + " x " + digits(b, in_metres) + (in_metres ? " m" : " mm");

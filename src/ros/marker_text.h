@@ -11,8 +11,8 @@
 
 namespace primitect::ros_layer {
 
-/// Kind and size in one line: "cylinder r 39 x 120 mm", "cone 22 deg, 100 mm", "plane 1.40 x 0.82 m"; and a confidence
-/// below 90 %: "sphere r 39 mm 73 %".
+/// Kind and size in one line: "cylinder r 39 mm, 120 mm", "cone 22 deg, 100 mm", "plane 1.40 x 0.82 m"; and a
+/// confidence below 90 %: "sphere r 39 mm 73 %".
 std::string describe(const Primitive& primitive);
 
 /// Planes carry their text near the lower edge, where nothing stands on them; bodies on top.
