@@ -16,12 +16,6 @@
 namespace primitect {
 namespace {
 
-double radiusOf(const Shape& shape) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
-  return cylinder ? cylinder->radius : 0.0;
-}
-
 bool enabled(Kind kind, const Params& params) {
   const bool switches[] = {params.detect_planes, params.detect_spheres, params.detect_cylinders, params.detect_cones};
   return switches[static_cast<std::size_t>(kind)];
@@ -194,7 +188,7 @@ class Fits {
 }  // namespace
 
 bool Limits::hold(const Shape& shape) const {
-  return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape) <= max_radius;
+  return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape).value_or(0.0) <= max_radius;
 }
 
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/flat.h"
+#include "core/segmentation.h"
 #include "core/selection.h"
 
 namespace primitect {
@@ -28,10 +29,8 @@ void describe(const Candidate& candidate, Hypothesis& hypothesis) {
 /// its radius would be seen to curve (curvature.h).
 double reachFor(const Candidate& candidate, const ProposalRules& rules) {
   constexpr double kArc = 0.8;  // of the radius
-  const Sphere* sphere = std::get_if<Sphere>(&candidate.shape);
-  const Cylinder* cylinder = std::get_if<Cylinder>(&candidate.shape);
-  const double radius = sphere ? sphere->radius : cylinder ? cylinder->radius : 0.0;
-  return rules.noise.ofDepthCamera() ? std::max(rules.reach, kArc * radius) : rules.reach;
+  if (!rules.noise.ofDepthCamera()) return rules.reach;
+  return std::max(rules.reach, kArc * radiusOf(candidate.shape).value_or(0.0));
 }
 
 /// Gains of samples for one shape, of so many at once as soon as one of them is asked for: neighbours are asked for

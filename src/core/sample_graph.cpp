@@ -75,7 +75,7 @@ void SampleGraph::grow(List<std::uint32_t>& part) {
 
 void SampleGraph::order(List<std::uint32_t>& part) const {
   constexpr std::uint64_t kMarks = kInPart * 0x0101010101010101ull;
-  constexpr std::size_t kLarge = 32;  // one in so many samples: such a part is sorted in the same time
+  constexpr std::size_t kLarge = 32;  // one in so many samples; smaller parts are sorted
   if (part.size() < state_.size() / kLarge) {
     std::sort(part.begin(), part.end());
     return;

@@ -31,12 +31,16 @@ void assignToNearest(const Samples& samples, const Tolerance& tolerance, List<Se
 
 }  // namespace
 
+std::optional<double> radiusOf(const Shape& shape) {
+  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
+  return std::nullopt;
+}
+
 bool withinLimits(const Shape& shape, const Params& params) {
-  const auto radiusFits = [&params](double radius) {
-    return params.min_radius <= radius && (params.max_radius <= 0.0 || radius <= params.max_radius);
-  };
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return radiusFits(sphere->radius);
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return radiusFits(cylinder->radius);
+  if (const auto radius = radiusOf(shape)) {
+    return params.min_radius <= *radius && (params.max_radius <= 0.0 || *radius <= params.max_radius);
+  }
   const Cone* cone = std::get_if<Cone>(&shape);
   return !cone || (params.min_half_angle_deg * kDegree <= cone->half_angle &&
                    cone->half_angle <= params.max_half_angle_deg * kDegree);

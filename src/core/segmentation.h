@@ -35,6 +35,9 @@ void selectSegments(const Samples& samples, const List<Candidate>& candidates, c
 /// than params.min_inliers go.
 void assignSamples(const Samples& samples, const Params& params, const Tolerance& tolerance, List<Segment>& segments);
 
+/// Of spheres and cylinders (m).
+std::optional<double> radiusOf(const Shape& shape);
+
 /// The shape's size is within the limits of params.
 bool withinLimits(const Shape& shape, const Params& params);
 

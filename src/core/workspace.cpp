@@ -37,6 +37,32 @@ Detection describe(const Segment& segment, const Samples& samples, bool last, st
   return detection;
 }
 
+/// How large what the first samples show is, and how far away (m).
+struct View {
+  explicit View(const Samples& samples)
+      : diagonal(boundingBoxDiagonal(samples)),
+        depth(std::accumulate(samples.z.begin(), samples.z.end(), 0.0) / static_cast<double>(samples.size())) {}
+
+  double diagonal;  ///< 0 when all are in one place
+  double depth;     ///< along z, in the mean
+};
+
+/// d_s of what a depth camera sees; 0 when all is in one place. At least its mean depth, or what was cut out of its
+/// image, like one object, would be looked at with bins and pairs so small that they tell only noise, and for radii
+/// smaller than its own.
+double sceneDiameterOfDepth(const View& view) {
+  return view.diagonal > 0.0 ? std::max(view.diagonal, view.depth) : 0.0;
+}
+
+/// A ball or a tube close up, alone in the image of a depth camera, may have a radius of six tenths of what is seen of
+/// it: bins of radii, which reach to `largest` (m), reach that far. Usually they do: what is around a thing makes d_s
+/// large, a wall 1.6 times its depth.
+double radiusStretch(const View& view, double largest) {
+  constexpr double kAlone = 1.5, kOfSeen = 0.6;
+  const bool alone = view.diagonal > 0.0 && view.diagonal <= kAlone * view.depth;
+  return alone ? std::max(1.0, kOfSeen * view.diagonal / largest) : 1.0;
+}
+
 }  // namespace
 
 const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_effort) {
@@ -137,36 +163,11 @@ void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>&
                samples);
 }
 
-namespace {
-
-double meanDepth(const Samples& samples) {
-  return std::accumulate(samples.z.begin(), samples.z.end(), 0.0) / static_cast<double>(samples.size());
-}
-
-}  // namespace
-
-/// d_s of the first samples; 0 when all are in one place. With a depth camera at least their mean depth, or what was
-/// cut out of its image, like one object, would be looked at with bins and pairs so small that they tell only noise,
-/// and for radii smaller than its own.
-double Detector::Workspace::sceneDiameter() const {
-  const double seen = boundingBoxDiagonal(samples);
-  if (!depth_camera || !(seen > 0.0)) return seen;
-  return std::max(seen, meanDepth(samples));
-}
-
-/// A ball or a tube close up, alone in the image of a depth camera, may have a radius of six tenths of what is seen of
-/// it: bins of radii reach that far. Usually they do: what is around a thing makes d_s large, a wall 1.6 times its
-/// depth.
-double Detector::Workspace::radiusStretch() const {
-  constexpr double kAlone = 1.5, kOfSeen = 0.6;
-  const double seen = boundingBoxDiagonal(samples);
-  if (!depth_camera || !(seen > 0.0) || seen > kAlone * meanDepth(samples)) return 1.0;
-  return std::max(1.0, kOfSeen * seen / (params.radius_bin * params.radius_bins * result.scene_diameter));
-}
-
 /// d_s, and what noise to expect, from the first samples.
 void Detector::Workspace::measureScale() {
-  result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : sceneDiameter();
+  const View view(samples);
+  const double seen = depth_camera ? sceneDiameterOfDepth(view) : view.diagonal;
+  result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : seen;
   // All points in one place have no scale and no normals.
   if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
   constexpr double kJustSo = 1.0;
@@ -174,7 +175,8 @@ void Detector::Workspace::measureScale() {
                std::cos(params.inlier_angle_deg * M_PI / 180.0), kJustSo};
   // With noise that is the same everywhere, cones need their distant pairs.
   voting.pairWithAll(!depth_camera);
-  const double stretch = radiusStretch();
+  const double largest = params.radius_bin * params.radius_bins * result.scene_diameter;
+  const double stretch = depth_camera ? radiusStretch(view, largest) : 1.0;
   voting.stretchRadii(stretch);
   verification.begin({result.scene_diameter, depth_camera, stretch});
 }

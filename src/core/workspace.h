@@ -78,8 +78,6 @@ struct Detector::Workspace {
   double pixelsOfSample(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
-  double sceneDiameter() const;
-  double radiusStretch() const;
   void measureScale();
   bool improveNormals(const Cloud& cloud);
   void measureNoise(const Cloud& cloud);

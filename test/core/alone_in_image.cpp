@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "primitect/detector.h"
-#include "synthetic/frame.h"
+#include "test/support/rendered_cloud.h"
 
 namespace primitect {
 namespace {
@@ -22,11 +22,7 @@ Cloud imageOf(const Shape& shape, double depth, double noise_scale, std::uint64_
   params.noise.scale = noise_scale;
   if (noise_scale == 0.0) params.noise.disparity_step = 0.0;
   params.noise.max_incidence_deg = 90.0;
-  const synthetic::PinholeCamera camera;
-  Cloud cloud;
-  cloudFromDepth(renderFrame(world, camera, Eigen::Isometry3d::Identity(), params, seed, 0).depth, camera,
-                 params.truth.range, cloud);
-  return cloud;
+  return test::renderedCloud(world, params, seed);
 }
 
 /// Radii beyond all bins had no votes, and more than twenty planes took what a ball of 20 cm at 60 cm shows.

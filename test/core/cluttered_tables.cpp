@@ -8,7 +8,7 @@
 
 #include "primitect/detector.h"
 #include "synthetic/clutter.h"
-#include "synthetic/frame.h"
+#include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
 namespace primitect {
@@ -17,13 +17,7 @@ namespace {
 using test::kDegree;
 
 Cloud tableCloud(std::uint64_t seed) {
-  const synthetic::PinholeCamera camera;
-  const synthetic::FrameParams params;
-  const synthetic::Frame frame =
-      synthetic::renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
-  Cloud cloud;
-  synthetic::cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
-  return cloud;
+  return test::renderedCloud(synthetic::clutteredTable(seed), {}, seed, synthetic::clutterPose(seed));
 }
 
 /// The same points without their image, every seventh one first.

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "primitect/detector.h"
-#include "synthetic/frame.h"
 #include "synthetic/scene_layout.h"
+#include "test/support/rendered_cloud.h"
 
 namespace primitect {
 namespace {
@@ -111,16 +111,11 @@ double radiusErrorOfABowl(double pitch) {
             Eigen::Isometry3d(Eigen::Translation3d(0, 0, -kFoot)));
   const Vec3 middle(0, 0, 0.05);
   const Eigen::Isometry3d pose = lookAt(middle + kDistance * Vec3(-std::cos(pitch), 0, std::sin(pitch)), middle);
-  const PinholeCamera camera;
-  const FrameParams params;
   double sum = 0.0;
   int count = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const Frame frame = renderFrame(world, camera, pose, params, seed, 0);
-    Cloud cloud;
-    cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
     Detector detector{Params()};
-    for (const Detection& found : detector.detect(cloud).items) {
+    for (const Detection& found : detector.detect(test::renderedCloud(world, {}, seed, pose)).items) {
       const auto* ball = std::get_if<Sphere>(&found.shape);
       if (ball && !found.concave) sum += ball->radius - kRadius, ++count;
     }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "primitect/detector.h"
-#include "synthetic/frame.h"
+#include "test/support/rendered_cloud.h"
 
 namespace primitect {
 namespace {
@@ -28,11 +28,7 @@ Cloud tubeOnTable(double radius, double along_table, std::uint64_t seed) {
   synthetic::FrameParams params;
   params.noise.disparity_step = 0.0;      // no steps
   params.noise.max_incidence_deg = 90.0;  // and no pixels that are lost where the tube turns away
-  const synthetic::PinholeCamera camera;
-  Cloud cloud;
-  cloudFromDepth(renderFrame(world, camera, Eigen::Isometry3d::Identity(), params, seed, 0).depth, camera,
-                 params.truth.range, cloud);
-  return cloud;
+  return test::renderedCloud(world, params, seed);
 }
 
 /// Strips of the flanks, planes of too few points, took the points there by their noise before they were dropped:

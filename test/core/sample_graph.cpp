@@ -158,7 +158,7 @@ TEST(Connected, BeginsAtNeighborsOfAStartOutsideOfTheSet) {
   EXPECT_TRUE(partOf(samples, range(120, 200), 55).empty());
 }
 
-/// Two patches whose samples take turns, and a third one of three samples: large and small parts, each in rising order.
+/// Two patches whose samples take turns, and a third one of eight samples: large and small parts, each in rising order.
 TEST(Parts, HoldTheirSamplesInRisingOrder) {
   std::vector<Vec3> points;
   List<List<std::uint32_t>> expected(3);
