@@ -176,7 +176,8 @@ void Detector::Workspace::measureScale() {
   // With noise that is the same everywhere, cones need their distant pairs.
   voting.pairWithAll(!depth_camera);
   const double largest = params.radius_bin * params.radius_bins * result.scene_diameter;
-  const double stretch = depth_camera ? radiusStretch(view, largest) : 1.0;
+  const bool told = params.scene_diameter > 0.0;  // then lengths do not depend on what is in view
+  const double stretch = depth_camera && !told ? radiusStretch(view, largest) : 1.0;
   voting.stretchRadii(stretch);
   verification.begin({result.scene_diameter, depth_camera, stretch});
 }

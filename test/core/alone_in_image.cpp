@@ -62,5 +62,19 @@ TEST(AloneInImage, AWideTubeIsATube) {
   }
 }
 
+/// Lengths then do not depend on what is in view.
+TEST(AloneInImage, RadiiReachAsFarAsAGivenSceneDiameterSays) {
+  constexpr double kRadius = 0.25;
+  for (const double reach : {0.2, 0.3}) {
+    Params params;
+    params.scene_diameter = reach / (params.radius_bin * params.radius_bins);
+    Detector detector{params};
+    const auto result = detector.detect(imageOf(synthetic::Ball{kRadius}, 0.9, 1.0, 300));
+    int balls = 0;
+    for (const Detection& item : result.items) balls += kindOf(item.shape) == Kind::sphere ? 1 : 0;
+    EXPECT_EQ(balls, reach > kRadius ? 1 : 0) << reach;
+  }
+}
+
 }  // namespace
 }  // namespace primitect
