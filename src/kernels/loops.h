@@ -193,8 +193,8 @@ struct Loops {
   /// What each depth allows (m).
   void (*tolerances)(const FlatTolerance& tolerance, const float* z, std::size_t count, float* allowed);
 
-  /// Labels kPointsPerRun points with the nearest of the shapes that is near enough and whose part, enlarged by what
-  /// the point is allowed, holds it; 0: none.
+  /// Labels kPointsPerRun points with the nearest of the shapes, at least one, that is near enough and whose part,
+  /// enlarged by what the point is allowed, holds it; 0: none.
   void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count, const float* x,
                 const float* y, const float* z, std::uint32_t* labels);
 
