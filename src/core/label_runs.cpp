@@ -31,4 +31,29 @@ List<LabelRun> labelRuns(const std::vector<std::uint32_t>& labels) {
   return runs;
 }
 
+List<LabelRun> labelRunsAgain(const List<LabelRun>& runs, const List<bool>& changed,
+                              const std::vector<std::uint32_t>& labels) {
+  List<LabelRun> again;
+  again.reserve(2 * runs.size());
+  const auto append = [&again](const LabelRun& run) {
+    if (!again.empty() && again.back().end == run.begin && again.back().label == run.label) {
+      again.back().end = run.end;
+    } else if (run.label > 0) {
+      again.push_back(run);
+    }
+  };
+  for (const LabelRun& run : runs) {
+    if (!changed[run.label - 1]) {
+      append(run);
+      continue;
+    }
+    for (std::uint32_t begin = run.begin, end; begin < run.end; begin = end) {
+      for (end = begin + 1; end < run.end && labels[end] == labels[begin]; ++end) {
+      }
+      append({labels[begin], begin, end});
+    }
+  }
+  return again;
+}
+
 }  // namespace primitect

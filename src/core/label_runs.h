@@ -18,4 +18,9 @@ struct LabelRun {
 /// All runs of a label above 0, in the order of the points.
 List<LabelRun> labelRuns(const std::vector<std::uint32_t>& labels);
 
+/// The same where labels have changed since within the runs of some labels only: `changed` says of which ones, by the
+/// label - 1.
+List<LabelRun> labelRunsAgain(const List<LabelRun>& runs, const List<bool>& changed,
+                              const std::vector<std::uint32_t>& labels);
+
 }  // namespace primitect

@@ -46,6 +46,28 @@ TEST(LabelRuns, HoldEveryLabelOnce) {
   }
 }
 
+TEST(LabelRuns, AreThoseOfAllLabelsAgainWhereSomeHaveChanged) {
+  Random random(5);
+  const List<bool> changed = {true, false, true};
+  for (int draw = 0; draw < 50; ++draw) {
+    std::vector<std::uint32_t> labels = randomLabels(700, draw % 2 == 0 ? 2.0 : 60.0, random);
+    for (std::uint32_t& label : labels) label = label > 3 ? 0 : label;
+    const List<LabelRun> before = labelRuns(labels);
+    const std::uint32_t to[] = {0, 1, 2, 3, 1u << 31 | 1u};
+    for (std::uint32_t& label : labels) {
+      const bool may_change = label > 0 && changed[label - 1];
+      if (may_change && random.uniform(0.0, 1.0) < 0.3) label = to[static_cast<int>(random.uniform(0.0, 5.0))];
+    }
+    const List<LabelRun> again = labelRunsAgain(before, changed, labels), expected = labelRuns(labels);
+    ASSERT_EQ(again.size(), expected.size());
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      EXPECT_EQ(again[k].label, expected[k].label);
+      EXPECT_EQ(again[k].begin, expected[k].begin);
+      EXPECT_EQ(again[k].end, expected[k].end);
+    }
+  }
+}
+
 TEST(LabelRuns, AreFoundByBitsOfEveryInstructionSet) {
   constexpr std::size_t kRun = kernels::kPointsPerRun;
   Random random(4);
