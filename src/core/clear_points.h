@@ -48,6 +48,7 @@ class ClearPoints {
   List<std::uint32_t> onSurface(std::size_t detection, const Shape& fit, const List<std::uint32_t>& clear) const;
 
  private:
+  bool mayEndBeside(const List<std::uint32_t>& points) const;
   bool endsBeside(const Shape& shape, std::uint32_t point) const;
   bool inImage() const { return noise_.ofDepthCamera() && cloud_.organized(); }
   List<std::uint32_t> surrounded(std::uint32_t label, const List<std::uint32_t>& points) const;

@@ -24,7 +24,7 @@ constexpr std::size_t kAround = 9;
 
 using Way = std::array<float, 2>;
 
-/// Some points of the border, and all that have the label among the pixels around them.
+/// Some points of the border, and all that have the label among the pixels around those that do not turn away.
 class Borders {
  public:
   Borders(const LabelledShape& where, const Shape& shape, const NoiseModel& noise)
@@ -37,32 +37,36 @@ class Borders {
     const Cloud& image = where_.image;
     point_[points_] = point, out_[points_] = out;
     x_[points_] = image.x[point], y_[points_] = image.y[point], z_[points_] = image.z[point];
-    const PixelBlock block = blockAround(image, point);
-    for (std::size_t r = block.top; r < block.bottom; ++r) {
-      for (std::size_t c = block.left; c < block.right; ++c) {
-        const std::size_t at = r * image.width + c;
-        if (where_.labels[at] == where_.label) addAround(at);
-      }
-    }
-    end_[points_++] = around_;
+    ++points_;
   }
 
   /// Appends those that do not lie beside the shape, and forgets all.
   void takeTrue(List<std::uint32_t>& taken) {
-    kernels::loops().distances(shape_, around_x_, around_y_, around_z_, around_, away_);
     kernels::loops().feet(shape_, x_, y_, z_, points_, {foot_, nx_, ny_, nz_});
     kernels::loops().tolerances(sigma_, z_, points_, noise_);
+    for (std::size_t k = 0; k < points_; ++k) {
+      if (!turnsAway(k)) addAround(point_[k]);
+      end_[k] = around_;
+    }
+    kernels::loops().distances(shape_, around_x_, around_y_, around_z_, around_, away_);
     for (std::size_t k = 0, begin = 0; k < points_; begin = end_[k++]) {
-      if (turnsAway(k) || !isBeside(k, begin)) taken.push_back(point_[k]);
+      if (begin == end_[k] || !isBeside(k, begin)) taken.push_back(point_[k]);
     }
     points_ = around_ = 0;
   }
 
  private:
-  void addAround(std::size_t at) {
+  void addAround(std::uint32_t point) {
     const Cloud& image = where_.image;
-    around_x_[around_] = image.x[at], around_y_[around_] = image.y[at], around_z_[around_] = image.z[at];
-    ++around_;
+    const PixelBlock block = blockAround(image, point);
+    for (std::size_t r = block.top; r < block.bottom; ++r) {
+      for (std::size_t c = block.left; c < block.right; ++c) {
+        const std::size_t at = r * image.width + c;
+        if (where_.labels[at] != where_.label) continue;
+        around_x_[around_] = image.x[at], around_y_[around_] = image.y[at], around_z_[around_] = image.z[at];
+        ++around_;
+      }
+    }
   }
 
   /// On a surface n.p = const a step across the view is one ahead, too, by as much as it is along the normal.

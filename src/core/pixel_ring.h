@@ -49,8 +49,11 @@ class PixelRing {
   /// Whether measured ones have other labels than this; the border of the image is none of the surface, and nothing
   /// speaks against what was not measured.
   bool meetsOther(std::uint32_t label, const std::uint32_t* labels, std::uint32_t pixel) const {
-    // Most are far from any border: no more is asked of them.
-    if (allHave(label, labels, pixel)) return false;
+    if (isInside(pixel)) {
+      return std::any_of(step_.begin(), step_.end(), [&](std::ptrdiff_t step) {
+        return labels[pixel + step] != label && cloud_.valid(pixel + static_cast<std::size_t>(step));
+      });
+    }
     bool met = false;
     forAll(pixel, [&](std::size_t at) { met = met || (labels[at] != label && cloud_.valid(at)); });
     return met;
@@ -87,6 +90,10 @@ class PixelRing {
   /// Calls use(place in the cloud) for those in the image.
   template <class Use>
   void forAll(std::uint32_t pixel, const Use& use) const {
+    if (isInside(pixel)) {
+      for (const std::ptrdiff_t step : step_) use(pixel + static_cast<std::size_t>(step));
+      return;
+    }
     const int width = static_cast<int>(cloud_.width), height = static_cast<int>(cloud_.height);
     const int column = static_cast<int>(pixel % cloud_.width), row = static_cast<int>(pixel / cloud_.width);
     for (std::size_t k = 0; k < kCount; ++k) {
