@@ -49,6 +49,20 @@ struct Wall {
 
   Wall(const Shape& of, bool seen_from_inside) : shape(flattened(of, Vec3::Zero())), concave(seen_from_inside) {}
 
+  /// Marks the points where the camera cannot see this side by 1, the others by 0; returns whether there are any.
+  bool findHidden(const float* x, const float* y, const float* z, std::size_t count, std::uint32_t* hidden) const {
+    float distance[kAtOnce], nx[kAtOnce], ny[kAtOnce], nz[kAtOnce];
+    kernels::loops().feet(shape, x, y, z, count, {distance, nx, ny, nz});
+    const std::uint32_t seen_from_inside = concave ? 1 : 0;
+    std::uint32_t any = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const float along_ray = nx[k] * x[k] + ny[k] * y[k] + nz[k] * z[k];
+      hidden[k] = (along_ray > 0.0f ? 1u : 0u) ^ seen_from_inside;
+      any |= hidden[k];
+    }
+    return any != 0;
+  }
+
   /// Calls use(k, distance) for each point, distance: m, infinite where the camera cannot see this side.
   template <class Use>
   void forDistances(const float* x, const float* y, const float* z, std::size_t count, const Use& use) const {
@@ -80,10 +94,13 @@ class Walls {
   /// Those of a run, at most kAtOnce points, that the camera cannot see on their wall.
   void findFar(const LabelRun& run, Points& far) const {
     const float *x = cloud_.x.data() + run.begin, *y = cloud_.y.data() + run.begin, *z = cloud_.z.data() + run.begin;
+    const std::uint32_t count = run.end - run.begin;
+    std::uint32_t hidden[kAtOnce];
     far.count = 0;
-    walls_[run.label - 1].forDistances(x, y, z, run.end - run.begin, [&](std::size_t k, float distance) {
-      if (std::isinf(distance)) far.add(cloud_, run.begin + static_cast<std::uint32_t>(k));
-    });
+    if (!walls_[run.label - 1].findHidden(x, y, z, count, hidden)) return;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (hidden[k] != 0) far.add(cloud_, run.begin + k);
+    }
   }
 
   /// Takes those from the points of wall k that lie on a wall which is seen from the other side, and labels them.
