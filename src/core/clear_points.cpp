@@ -19,7 +19,7 @@ namespace primitect {
 namespace {
 
 /// Points that are looked at together. Those of a list are spread over their shape, so that fewer are hardly farther
-/// from others: with 128 the paper's scenes take .6 % more instructions.
+/// from others: with 128 the paper's scenes take .4 % more instructions.
 constexpr std::size_t kAtOnce = 512;
 
 /// With fewer points the fit would lose more than it is spoilt by the others.
@@ -41,7 +41,7 @@ constexpr int kRim = 2;
 constexpr std::size_t kNoticed = 50;
 
 /// Most shapes have no false border: some of the points tell, and the others need not be asked. With half the share
-/// that is noticed among all, as chance may have it. Takes 1.1 % of a frame's instructions less; the same detections on
+/// that is noticed among all, as chance may have it. Takes 1.1 % of a frame's instructions less; the same figures on
 /// 60 tables.
 bool mayHaveFalseBorder(const LabelledShape& where, const Shape& fit, const NoiseModel& noise,
                         const List<std::uint32_t>& clear) {

@@ -156,7 +156,7 @@ void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>&
   if (round == 0) {
     sampler.begin(cloud, runs);
   } else {
-    // Samples of a camera's image are several pixels apart: half of these are as good as all, and take 1.3 % of a
+    // Samples of a camera's image are several pixels apart: half of these are as good as all, and take 1.4 % of a
     // frame's instructions less. Measured on 240 draws of tables: as much of what is found is right, .3 % more is
     // found, which may be chance. Pixels of a projected image are missing in patterns of their own, and where rows hold
     // no whole runs, fields of several rows may meet.
