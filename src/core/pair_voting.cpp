@@ -16,7 +16,7 @@ constexpr double kDegree = M_PI / 180.0;
 
 // Where samples are dense, as in the closer look, the nearest pairs tell nearly as much as all: what
 // they vote for is fitted to all samples near it.
-constexpr int kMostBoxes = 16;
+constexpr int kMostBoxes = 8;
 
 Vec3 toEigen(const kernels::Vector& v) { return {v.x, v.y, v.z}; }
 

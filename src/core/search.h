@@ -50,8 +50,10 @@ class Search {
     candidates_.clear();
   }
 
+  /// Of small batches more is explained before the next one votes: against 256, six tenths of the references find as much
+  /// on 60 tables. With 32, too few tell the noise of clouds without depths.
   std::size_t batches() const {
-    constexpr std::size_t kBatch = 256;  // references
+    constexpr std::size_t kBatch = 64;  // references
     return (voting_.references() + kBatch - 1) / kBatch;
   }
 
