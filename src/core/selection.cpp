@@ -28,12 +28,13 @@ class Choice {
   const List<std::uint32_t>& order() const { return order_; }
   bool holds(std::uint32_t h) const { return chosen_[h]; }
 
-  /// What the total gains when h joins.
-  Worth worthOfAdding(std::uint32_t h) const {
+  /// What the total gains when h joins, once `gone` has left.
+  Worth worthOfAdding(std::uint32_t h, std::uint32_t gone = kNobody) const {
     double gain = 0.0, against = 0.0;
     std::size_t better = 0;
     for (const Support& support : pool_[h].support) {
-      const float held = best_[support.sample].gain;
+      const Holder& best = best_[support.sample];
+      const float held = best.hypothesis == gone ? second_[support.sample].gain : best.gain;
       if (held >= kWellExplained) continue;
       if (support.gain > held) {
         gain += support.gain - held;
@@ -91,6 +92,9 @@ class Choice {
     }
     return weakest;
   }
+
+  /// What the total loses when a chosen one leaves.
+  double worthOfKeeping(std::uint32_t h) { return standingOf(h).keeping; }
 
   double total() {
     double sum = 0.0;
@@ -230,13 +234,26 @@ void restore(const List<std::uint32_t>& chosen, Choice& choice) {
   choice.putInOrder(chosen);
 }
 
+/// Whether these could be worth what leaves for them: something else may become worthless, so half of it is asked for.
+/// To ask without taking it out saves a quarter to a third of the time that a selection takes.
+bool mayReplace(std::uint32_t h, const List<std::uint32_t>& substitutes, Choice& choice) {
+  constexpr double kLeast = 0.5;
+  const double needed = kLeast * choice.worthOfKeeping(h);
+  double offered = 0.0;
+  for (const std::uint32_t k : substitutes) {
+    offered += std::max(0.0, choice.worthOfAdding(k, h).total);
+    if (offered > needed) return true;
+  }
+  return false;
+}
+
 /// Leaves one out, and keeps the outcome when the rest then finds something better: two planes for one cone.
 bool exchange(Choice& choice, const List<Hypothesis>& pool) {
   const List<std::uint32_t> chosen = choice.order();
   const double before = choice.total();
   for (const std::uint32_t h : chosen) {
     const List<std::uint32_t> substitutes = substitutesOf(h, choice, pool);
-    if (substitutes.empty()) continue;
+    if (!mayReplace(h, substitutes, choice)) continue;
     choice.remove(h);
     addGreedily(choice, pool, substitutes);
     // Without anything in its place nothing is gained: what was worthless is gone already.
