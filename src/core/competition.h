@@ -3,6 +3,8 @@
 // The four kinds compete for given samples.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "core/frame_memory.h"
@@ -25,6 +27,7 @@ struct ProposalRules {
   Limits limits;
   double widen;  ///< times the noise: how far off the shape of a candidate may be
   double reach;  ///< m, of a candidate around its reference
+  std::size_t most_fitted = std::numeric_limits<std::size_t>::max();  ///< samples that a fit is made of
 };
 
 /// The best of all kinds for these samples, as far as their moments promise any; false when none is within the limits

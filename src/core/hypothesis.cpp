@@ -13,29 +13,50 @@
 namespace primitect {
 namespace {
 
-/// Gains of the samples of a block.
-using BlockGains = std::array<float, SampleBlocks::kSize>;
 static_assert(SampleBlocks::kSize == kernels::kMostGains);
 
+/// Room for the gains of one block after the other.
+struct OneBlock {
+  std::array<float, SampleBlocks::kSize> gains;
+
+  float* operator()() { return gains.data(); }
+};
+
+/// Room behind the gains of those kept so far.
+struct EveryBlock {
+  NearGains& near;
+
+  float* operator()() const {
+    const std::size_t kept = near.blocks.size() * SampleBlocks::kSize;
+    near.gains.resize(kept + SampleBlocks::kSize);
+    return near.gains.data() + kept;
+  }
+};
+
 /// Calls use(block, sums, gains) for each wanted block with samples near the shape: within `reach` times the tolerance.
-template <class Wanted, class Use>
+template <class Room, class Wanted, class Use>
 void forGains(const Samples& samples, const HeldGains& held, double widen, float reach, const Hypothesis& hypothesis,
-              const Wanted& wanted, const Use& use) {
+              Room room, const Wanted& wanted, const Use& use) {
   const kernels::FlatShape shape = flattened(hypothesis.shape, Vec3::Zero());
   const kernels::JudgedSamples judged = samples.judged(held);
   const float side = hypothesis.concave ? -1.0f : 1.0f;
   const float scale = static_cast<float>(1.0 / widen);
-  BlockGains gains;
   samples.blocks.forNear(shape, reach * static_cast<float>(widen), [&](const SampleBlock& block) {
     if (!wanted(block)) return;
-    const kernels::GainSums sums =
-        kernels::loops().gains(shape, side, scale, judged, block.begin, block.end, gains.data());
+    float* const gains = room();
+    const kernels::GainSums sums = kernels::loops().gains(shape, side, scale, judged, block.begin, block.end, gains);
     if (sums.near > 0) use(block, sums, gains);
   });
 }
 
-/// Takes the gains of a block of samples into the support.
-void take(const BlockGains& gains, const SampleBlock& block, List<Support>& support) {
+/// Nothing is supported yet.
+void beginSupport(const Samples& samples, Hypothesis& hypothesis) {
+  hypothesis.support.clear();
+  hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
+}
+
+/// Takes the gains of a block of samples into the support, and notes the block.
+void take(const float* gains, const SampleBlock& block, Hypothesis& hypothesis) {
   std::array<Support, SampleBlocks::kSize> taken;
   std::size_t count = 0;
   for (std::size_t i = block.begin; i < block.end; ++i) {
@@ -43,12 +64,14 @@ void take(const BlockGains& gains, const SampleBlock& block, List<Support>& supp
     taken[count] = {static_cast<std::uint32_t>(i), gain};
     count += gain > kernels::kNoGain ? 1 : 0;
   }
-  support.insert(support.end(), taken.begin(), taken.begin() + count);
+  hypothesis.support.insert(hypothesis.support.end(), taken.begin(), taken.begin() + count);
+  hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
 }
 
 /// Fills score, gain_sum and inliers, and calls use(block, gains) for each block with samples near the shape.
-template <class Use>
-void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis, const Use& use) {
+template <class Room, class Use>
+void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis, Room room,
+               const Use& use) {
   hypothesis.inliers = 0;
   hypothesis.gain_sum = 0.0;
   double counted = 0.0;
@@ -60,7 +83,7 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
   const auto drawnBeside = [&](const SampleBlock& block) {
     return several_draws && block.begin >= samples.first_draw && isLargePlane(of_first_draw, samples.first_draw);
   };
-  const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const BlockGains& gains) {
+  const auto add = [&](const SampleBlock& block, const kernels::GainSums& sums, const float* gains) {
     // Something else that only happens to lie in its continuation, or beside a large plane that later draws left out.
     if (sums.counted < 0.0 && (!samples.blocks.reaches(block, middle, reach) || drawnBeside(block))) return;
     if (block.begin < samples.first_draw) of_first_draw += sums.inliers;
@@ -70,7 +93,7 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
     use(block, gains);
   };
   forGains(
-      samples, held, widen, kernels::kGainReach, hypothesis, [](const SampleBlock&) { return true; }, add);
+      samples, held, widen, kernels::kGainReach, hypothesis, room, [](const SampleBlock&) { return true; }, add);
   hypothesis.score = counted - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
 }
 
@@ -84,16 +107,28 @@ double priceOf(Kind kind, double inliers) {
 }
 
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
-  scoreWith(samples, held, widen, hypothesis, [](const SampleBlock&, const BlockGains&) {});
+  scoreWith(samples, held, widen, hypothesis, OneBlock(), [](const SampleBlock&, const float*) {});
+}
+
+void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis, NearGains& near) {
+  near.blocks.clear();
+  scoreWith(samples, held, widen, hypothesis, EveryBlock{near},
+            [&near](const SampleBlock& block, const float*) { near.blocks.push_back(block); });
+}
+
+void fillSupport(const Samples& samples, const NearGains& near, Hypothesis& hypothesis) {
+  beginSupport(samples, hypothesis);
+  const float* gains = near.gains.data();
+  for (const SampleBlock& block : near.blocks) {
+    take(gains, block, hypothesis);
+    gains += SampleBlocks::kSize;
+  }
 }
 
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
-  hypothesis.support.clear();
-  hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
-  scoreWith(samples, held, widen, hypothesis, [&](const SampleBlock& block, const BlockGains& gains) {
-    take(gains, block, hypothesis.support);
-    hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
-  });
+  beginSupport(samples, hypothesis);
+  scoreWith(samples, held, widen, hypothesis, OneBlock(),
+            [&hypothesis](const SampleBlock& block, const float* gains) { take(gains, block, hypothesis); });
 }
 
 void inliersAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
@@ -102,7 +137,7 @@ void inliersAround(const Vec3& point, double reach, const Samples& samples, cons
   const auto radius = static_cast<float>(reach);
   const auto within = [&](const SampleBlock& block) { return samples.blocks.reaches(block, center, radius); };
   inliers.clear();
-  const auto add = [&](const SampleBlock& block, const kernels::GainSums&, const BlockGains& gains) {
+  const auto add = [&](const SampleBlock& block, const kernels::GainSums&, const float* gains) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       if (!(gains[i - block.begin] > 0.0f)) continue;
       const Eigen::Vector3f way = Eigen::Vector3f(samples.x[i], samples.y[i], samples.z[i]) - center;
@@ -110,7 +145,7 @@ void inliersAround(const Vec3& point, double reach, const Samples& samples, cons
     }
   };
   constexpr float kInliers = 1.0f;
-  forGains(samples, held, widen, kInliers, hypothesis, within, add);
+  forGains(samples, held, widen, kInliers, hypothesis, OneBlock(), within, add);
 }
 
 bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {

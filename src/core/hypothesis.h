@@ -50,6 +50,18 @@ using kernels::kWellExplained;
 /// times the noise, for a shape that is not fitted yet.
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 
+/// The gains of the samples in the blocks near a shape, SampleBlocks::kSize for each.
+struct NearGains {
+  List<SampleBlock> blocks;
+  List<float> gains;
+};
+
+/// The same, and keeps the gains, so that the support of the best of several shapes need not be evaluated once more.
+void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis, NearGains& near);
+
+/// Fills support and blocks of the hypothesis from its gains.
+void fillSupport(const Samples& samples, const NearGains& near, Hypothesis& hypothesis);
+
 /// Fills support and blocks, too.
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis);
 

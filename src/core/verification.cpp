@@ -68,8 +68,17 @@ void Verification::measureNoise(Samples samples, const List<Candidate>& candidat
   if (measured) noise_ = *measured;
 }
 
+/// What is selected is fitted again, to all its samples. Measured on 60 tables and 32 clouds of the paper: with 256 samples
+/// for each fit before that as much is found.
+ProposalRules Verification::quickRules() const {
+  constexpr std::size_t kEnoughToFit = 256;
+  ProposalRules quick = rules();
+  quick.most_fitted = kEnoughToFit;
+  return quick;
+}
+
 void Verification::propose(const List<Candidate>& candidates) {
-  proposer_.propose(samples_, graph_, candidates, rules(), pool_, refusals_);
+  proposer_.propose(samples_, graph_, candidates, quickRules(), pool_, refusals_);
 }
 
 List<std::uint32_t> Verification::unexplained() {

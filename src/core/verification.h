@@ -74,6 +74,7 @@ class Verification {
 
  private:
   ProposalRules rules() const;
+  ProposalRules quickRules() const;
   void dropLikenesses();
   void refit();
   void refit(const Segment& segment, const HeldGains& held);
