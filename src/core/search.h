@@ -51,7 +51,8 @@ class Search {
   }
 
   /// Of small batches more is explained before the next one votes: against 256, six tenths of the references find as much
-  /// on 60 tables. With 32, too few tell the noise of clouds without depths.
+  /// on 60 tables. With 32, a sphere on the top of a paraboloid is believed
+  /// (hard_scenes).
   std::size_t batches() const {
     constexpr std::size_t kBatch = 64;  // references
     return (voting_.references() + kBatch - 1) / kBatch;

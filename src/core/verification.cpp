@@ -68,7 +68,7 @@ void Verification::measureNoise(Samples samples, const List<Candidate>& candidat
   if (measured) noise_ = *measured;
 }
 
-/// What is selected is fitted again, to all its samples. Measured on 60 tables and 32 clouds of the paper: with 256 samples
+/// What is selected is fitted again, to all its samples. Measured on 60 tables and 8 clouds of the paper: with 256 samples
 /// for each fit before that as much is found.
 ProposalRules Verification::quickRules() const {
   constexpr std::size_t kEnoughToFit = 256;
