@@ -24,8 +24,6 @@ class AlongRays {
   SeenPoints seenFor(const Shape& shape);
 
  private:
-  void moveSome(const Shape& shape, std::size_t begin, std::size_t count);
-
   const FitPoints& points_;
   List<float> x_, y_, z_;
 };

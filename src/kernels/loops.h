@@ -124,6 +124,10 @@ struct FlatFeet {
   float *distance, *nx, *ny, *nz;
 };
 
+struct FlatPlace {
+  float x, y, z;
+};
+
 /// A place, and how far around it to look (m^2).
 struct FlatProbe {
   float x, y, z, reach_sq;
@@ -174,6 +178,12 @@ struct Loops {
   /// radius, to all other loops by its apex.
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,
                           NormalEquations& equations);
+
+  /// Points of a depth camera at the origin of `origin` (m), which they are counted from, moved to where only the error
+  /// across the surface is left of that of their depth (core/along_rays.h); those whose rays nearly touch the surface,
+  /// and what fills up, stay.
+  void (*alongRays)(const FlatShape& shape, const FlatPlace& origin, const FitPoints& points, float* x, float* y,
+                    float* z);
 
   /// Sum of 1 - (distance / tolerance)^2 over the points within their tolerance, of every so many-th kLanes of them. Up
   /// to 2^20 points: with more, sums in float lose digits.

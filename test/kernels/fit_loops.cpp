@@ -213,5 +213,26 @@ TEST(Moments, AreSumsOverThePointsAlone) {
   }
 }
 
+TEST(AlongRays, AreTheSameOnEveryInstructionSet) {
+  Random random(84);
+  const kernels::FlatPlace origin = {0.1f, -0.2f, 1.0f};
+  for (const std::size_t count : {1u, 16u, 1000u}) {
+    const FitPoints points = test::fitPointsOf(randomSamples(count, random));
+    const kernels::FitPoints view = points.view();
+    for (const Shape& shape : shapes()) {
+      std::vector<float> first;
+      for (const kernels::Loops* loops : kernels::allLoops()) {
+        std::vector<float> moved(3 * view.count);
+        loops->alongRays(flattened(shape, points.origin()), origin, view, moved.data(), moved.data() + view.count,
+                         moved.data() + 2 * view.count);
+        // What fills up stays.
+        for (std::size_t k = count; k < view.count; ++k) EXPECT_EQ(moved[k], view.x[k]) << loops->name;
+        if (first.empty()) first = moved;
+        EXPECT_TRUE(sameBits(first, moved)) << loops->name << " " << kindName(kindOf(shape));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace primitect
