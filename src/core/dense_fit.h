@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/competition.h"
@@ -27,6 +28,15 @@ struct LabelledPoints {
 /// image, 0 for a list, which has no rows.
 void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<std::size_t>& most,
                     List<LabelledPoints>& points);
+
+/// Which way points err.
+enum class PointErrors {
+  across,     ///< the surface
+  along_rays  ///< of a depth camera at the origin, see along_rays.h
+};
+
+/// refine() (fitting.h) on many points: some of them show the way, and all of them take the last steps.
+std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors = PointErrors::across);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many
 /// points a cylinder and a cone that tapers little can be told apart: both are tried for either, and a ball for both.

@@ -33,6 +33,18 @@ std::array<float, 3> meanOf(const SampleSet& set) {
   return {static_cast<float>(x / count), static_cast<float>(y / count), static_cast<float>(z / count)};
 }
 
+/// In lanes, to the digits that a mean needs.
+double sumOf(const List<float>& values) {
+  constexpr std::size_t kSums = 8;
+  float sums[kSums] = {};
+  std::size_t k = 0;
+  for (; k + kSums <= values.size(); k += kSums) {
+    for (std::size_t lane = 0; lane < kSums; ++lane) sums[lane] += values[k + lane];
+  }
+  for (; k < values.size(); ++k) sums[0] += values[k];
+  return std::accumulate(sums, sums + kSums, 0.0);
+}
+
 }  // namespace
 
 template <class ToleranceOf>
@@ -69,10 +81,8 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
   size_ = seen.size();
   origin_ = seen.origin;
   x_ = seen.x, y_ = seen.y, z_ = seen.z;
-  const auto mean = [](const List<float>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  };
-  middle_ = origin_ + Vec3(mean(x_), mean(y_), mean(z_));
+  const double count = static_cast<double>(size_);
+  middle_ = origin_ + Vec3(sumOf(x_), sumOf(y_), sumOf(z_)) / count;
   for (List<float>* values : {&nx_, &ny_, &nz_, &once_}) values->clear();
   const kernels::FlatTolerance tolerance = flattened(noise, kInlierDeviations);
   const auto origin = static_cast<float>(origin_.z());
@@ -80,15 +90,27 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
   for (float& z : z_) z += origin;
   kernels::loops().tolerances(tolerance, z_.data(), size_, inverse_tolerance_.data());
   z_ = seen.z;
-  double tolerances = 0.0;
-  for (float& value : inverse_tolerance_) {
-    tolerances += value;
-    value = 1.0f / value;
-  }
-  mean_sigma_ = tolerances / (kInlierDeviations * static_cast<double>(size_));
+  mean_sigma_ = sumOf(inverse_tolerance_) / (kInlierDeviations * count);
+  for (float& value : inverse_tolerance_) value = 1.0f / value;
   const std::size_t filled = wholeLanes(size_);
   for (List<float>* values : {&x_, &y_, &z_}) values->resize(filled, 0.0f);
   inverse_tolerance_.resize(filled, kNoWeight);
+}
+
+FitPoints FitPoints::thinned(std::size_t count) const {
+  FitPoints some;
+  some.size_ = count;
+  some.origin_ = origin_, some.middle_ = middle_;
+  some.mean_sigma_ = mean_sigma_;
+  const std::size_t filled = wholeLanes(count);
+  for (List<float>* values : {&some.x_, &some.y_, &some.z_}) values->assign(filled, 0.0f);
+  some.inverse_tolerance_.assign(filled, kNoWeight);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t from = k * size_ / count;
+    some.x_[k] = x_[from], some.y_[k] = y_[from], some.z_[k] = z_[from];
+    some.inverse_tolerance_[k] = inverse_tolerance_[from];
+  }
+  return some;
 }
 
 kernels::MomentSums FitPoints::moments() const {

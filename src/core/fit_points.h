@@ -37,6 +37,9 @@ class FitPoints {
   /// Points without normals, whose moments are not asked for.
   void gather(const SeenPoints& seen, const NoiseModel& noise);
 
+  /// So many of them, evenly taken, without normals, around the same middle.
+  FitPoints thinned(std::size_t count) const;
+
   std::size_t size() const { return size_; }
   const Vec3& origin() const { return origin_; }
   const Vec3& middle() const { return middle_; }    ///< the mean point

@@ -13,17 +13,43 @@
 #include "core/coverage.h"
 #include "core/determination.h"
 #include "core/extent.h"
-#include "core/fitting.h"
 #include "core/observed_part.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
 #include "core/strip.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 
 DepthRange rangeOf(const Params& params) {
   return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
 }
+
+namespace {
+
+/// Those of the points that lie on this part, or beside it by the noise.
+SeenPoints within(const ObservedPart& part, const SeenPoints& points, const NoiseModel& noise) {
+  const std::size_t count = points.size();
+  const Eigen::Vector3f origin = points.origin.cast<float>();
+  List<float> x(count), y(count), z(count), depth(count), allowed(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    x[k] = origin.x() + points.x[k], y[k] = origin.y() + points.y[k], z[k] = origin.z() + points.z[k];
+  }
+  kernels::loops().depths(part.view(), x.data(), y.data(), z.data(), count, depth.data());
+  kernels::loops().tolerances(flattened(noise, kInlierDeviations), z.data(), count, allowed.data());
+  SeenPoints seen;
+  seen.origin = points.origin;
+  for (List<float>* values : {&seen.x, &seen.y, &seen.z}) values->resize(count);
+  std::size_t held = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    seen.x[held] = points.x[k], seen.y[held] = points.y[k], seen.z[held] = points.z[k];
+    held += depth[k] >= -allowed[k] ? 1 : 0;
+  }
+  for (List<float>* values : {&seen.x, &seen.y, &seen.z}) values->resize(held);
+  return seen;
+}
+
+}  // namespace
 
 Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
                          const Limits& limits)
@@ -57,23 +83,15 @@ Shape Measurement::unbiased(const Shape& fit) const {
 Shape Measurement::start(const Detection& found) {
   const Shape& shape = found.shape;
   if (kindOf(shape) != Kind::cylinder && kindOf(shape) != Kind::cone) return shape;
-  const ObservedPart part(shape, found.extent);
-  SeenPoints seen;
-  seen.origin = points_.origin;
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    const Vec3 point = points_.point(k);
-    const Eigen::Vector3f p = point.cast<float>();
-    if (!part.holds(p.x(), p.y(), p.z(), static_cast<float>(kInlierDeviations * sigma_(point)))) continue;
-    seen.x.push_back(points_.x[k]), seen.y.push_back(points_.y[k]), seen.z.push_back(points_.z[k]);
-  }
-  fit_points_.gather(seen, noise_);
+  fit_points_.gather(within(ObservedPart(shape, found.extent), points_, noise_), noise_);
   return refineOnPoints(shape, fit_points_, limits_);
 }
 
 Shape Measurement::fittedToClear(const Shape& start) {
   fit_points_.gather(clear_, noise_);
   const bool along_rays = isFittedAlongRays(start);
-  const std::optional<Shape> refined = along_rays ? refineAlongRays(start, fit_points_) : refine(start, fit_points_);
+  const std::optional<Shape> refined =
+      refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across);
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
   const Shape last = along_rays ? fit : unbiased(fit);
   // A few clear points may not hold a shape where all of its points are.

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "core/fitting.h"
 #include "test/support/hypotheses.h"
 
 namespace primitect {
@@ -174,6 +177,26 @@ TEST(RefineOnPoints, LeavesOutPointsBeyondTheNoise) {
   EXPECT_LT(std::abs(distance(found, wall.point)), 3.0 * kNoise / std::sqrt(800.0));
 }
 
+TEST(RefineDense, EndsWhereAllPointsSay) {
+  constexpr int kPoints = 4096;
+  // A fifth of what so many points leave open of six parameters.
+  const double most = 0.2 * kNoise * std::sqrt(6.0 / kPoints);
+  for (const std::uint64_t seed : {57u, 58u, 59u}) {
+    const FitPoints points = test::fitPointsOf(samplesOfTapered(10.0 * kDegree, kPoints, seed));
+    Cone start = taperedCan(12.0 * kDegree);
+    start.apex.x() += 0.002;
+    RefineRules to_the_end;
+    to_the_end.most_steps = 30, to_the_end.small_step = 1e-6;
+    Random random(seed);
+    const auto found = refineDense(start, points), wanted = refine(start, points, to_the_end);
+    ASSERT_TRUE(found && wanted);
+    double sum_sq = 0.0;
+    for (const SurfacePoint& p : patchOf(std::get<Cone>(*wanted), 100, 0.235, 0.335, random))
+      sum_sq += std::pow(distance(*found, p.point), 2) / 100.0;
+    EXPECT_LT(std::sqrt(sum_sq), most) << seed;
+  }
+}
+
 TEST(PointsOfLabels, KnowsTheOutermostInEachRowOfAnImage) {
   const std::vector<std::uint32_t> labels = {0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0,   // one run
                                              1, 1, 1, 1, 0, 2, 2, 0, 1, 1, 1, 1,   // something between two; on to
@@ -206,6 +229,26 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   const List<std::uint32_t>& first = points[0].index;
   const double mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
   EXPECT_NEAR(mean, 4500.0, 50.0);
+}
+
+TEST(FitPoints, ThinnedAreSomeOfThemFromAllOver) {
+  const Samples samples = samplesWith(kNoiseModel, pointsOfCan());
+  const FitPoints all = test::fitPointsOf(samples), some = all.thinned(37);
+  ASSERT_EQ(some.size(), 37u);
+  EXPECT_EQ(some.view().count % kernels::kLanes, 0u);
+  EXPECT_EQ(some.middle(), all.middle());
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < some.view().count; ++k) {
+    if (k >= some.size()) {
+      EXPECT_EQ(some.view().inverse_tolerance[k], std::numeric_limits<float>::infinity());
+      continue;
+    }
+    const std::size_t i = k * all.size() / some.size();
+    EXPECT_EQ(some.view().x[k], all.view().x[i]);
+    EXPECT_EQ(some.view().inverse_tolerance[k], all.view().inverse_tolerance[i]);
+    last = i;
+  }
+  EXPECT_GE(last, all.size() - 3);
 }
 
 TEST(FitPoints, OfWhatWasSeenAreThoseOfSamplesThere) {
