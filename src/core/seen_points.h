@@ -48,7 +48,8 @@ struct SeenPoints {
   Vec3 point(std::size_t i) const { return origin + Vec3(x[i], y[i], z[i]); }
 };
 
-/// Some of them, evenly taken: for what is a mean over all. Filled up to whole lanes with copies of the last.
+/// Some of them, at most `wanted`, evenly taken: for what is a mean over all. Filled up to whole lanes with copies of
+/// the last.
 template <std::size_t most>
 struct SomePoints {
   static constexpr std::size_t kRoom = wholeLanes(most);
@@ -58,9 +59,9 @@ struct SomePoints {
   double share;       ///< of all points
   float x[kRoom], y[kRoom], z[kRoom];
 
-  explicit SomePoints(const SeenPoints& all)
+  explicit SomePoints(const SeenPoints& all, std::size_t wanted = most)
       : origin(all.origin),
-        count(std::min(all.size(), most)),
+        count(std::min({all.size(), wanted, most})),
         share(count > 0 ? static_cast<double>(count) / static_cast<double>(all.size()) : 1.0) {
     if (count == 0) return;
     // Number k is at k * all.size() / count, without a division for each.
