@@ -53,11 +53,13 @@ const T& opened(const T& shape) {
 }
 inline OpenCone opened(const Cone& cone) { return {cone, std::sin(cone.half_angle), std::cos(cone.half_angle)}; }
 
+constexpr double kGrazing = 0.05;  // sine of 3 deg
+
 /// Depth at which the ray meets the shape, by Newton's method from a depth nearby: of two crossings it finds that on
 /// whose side the walk is, so that shapes seen from inside need no care. Nothing at the limb.
 template <class T>
 std::optional<double> depthOn(const T& shape, const Vec3& ray, double depth) {
-  constexpr double kGrazing = 0.05, kExact = 1e-4;  // sine of 3 deg; m
+  constexpr double kExact = 1e-4;  // m
   const double least_slope_sq = kGrazing * kGrazing * ray.squaredNorm();
   for (int iteration = 0; iteration < 8; ++iteration) {
     const Approach here = approach(shape, depth * ray, ray);
@@ -68,6 +70,13 @@ std::optional<double> depthOn(const T& shape, const Vec3& ray, double depth) {
     if (!(depth > 0.0)) return std::nullopt;
   }
   return std::nullopt;
+}
+/// A plane without a search.
+inline std::optional<double> depthOn(const Plane& plane, const Vec3& ray, double) {
+  const double slope = plane.normal.dot(ray);
+  if (!(slope * slope > kGrazing * kGrazing * ray.squaredNorm())) return std::nullopt;
+  const double depth = plane.normal.dot(plane.point) / slope;
+  return depth > 0.0 ? std::optional<double>(depth) : std::nullopt;
 }
 
 }  // namespace primitect

@@ -98,7 +98,7 @@ class Walk {
 /// Bands of rows or columns with their outermost pixels: where walks start.
 class Bands {
  public:
-  static constexpr int kCount = 16;
+  static constexpr int kCount = 12;
 
   Bands(int low, int high) : low_(low), width_(std::max(high - low + 1, 1)) {}
 
