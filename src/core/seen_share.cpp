@@ -106,16 +106,16 @@ class Box {
     }
   }
 
-  /// Calls use(column, row) for at most about so many places, in a grid: for every second one of every second row, then
-  /// for another such quarter, until settled().
+  /// Calls use(column, row) for at most about so many places, in a grid: for every third one of every third row, then
+  /// for another such ninth, until settled().
   template <class Use, class Settled>
   void forPlaces(double count, const Use& use, const Settled& settled) const {
     const double area = static_cast<double>(right_ - left_ + 1) * static_cast<double>(bottom_ - top_ + 1);
     const int step = std::max(1, static_cast<int>(std::sqrt(area / count)));
-    constexpr Place kFirst[] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    constexpr Place kFirst[] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}, {0, 2}, {1, 0}, {2, 1}};
     for (const Place& first : kFirst) {
-      for (int row = top_ + first.row * step; row <= bottom_; row += 2 * step) {
-        for (int column = left_ + first.column * step; column <= right_; column += 2 * step) use(column, row);
+      for (int row = top_ + first.row * step; row <= bottom_; row += 3 * step) {
+        for (int column = left_ + first.column * step; column <= right_; column += 3 * step) use(column, row);
       }
       if (settled()) return;
     }
@@ -150,7 +150,7 @@ struct Count {
   }
 
   /// More places would not change what is left of the confidence, as if each was seen or not on its own: most shapes
-  /// are seen to nearly all. A quarter of the places settles them, in a quarter of the time: 0.5 ms less for a table.
+  /// are seen to nearly all. A ninth or two of the places settle them: with quarters, 0.6 % more of a table's time.
   bool settled() const {
     constexpr double kDeviations = 3.0;
     if (!enough()) return false;
