@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/float_range.h"
 #include "core/frame_memory.h"
 #include "core/hull.h"
 
@@ -26,11 +27,12 @@ Eigen::Matrix3d frameAround(const Vec3& z, const Vec3& towards) {
   return frame;
 }
 
-constexpr std::size_t kMostPoints = 4093;  // for what is a mean
+/// For what is a mean, and the ends of axes, where 1 % of the points lie beyond: 20 of these.
+constexpr std::size_t kMostPoints = 2039;
 
 /// Enough to say which way a plane is longer. Prime, as above: the step through the points is then seldom in time with
 /// the rows of an image.
-constexpr std::size_t kMostForDirection = 1021;
+constexpr std::size_t kMostForDirection = 251;
 
 /// Of the two signs of a direction this one, so that the pose does not flip.
 Vec3 towardsPositiveX(const Vec3& direction) { return direction.x() < 0.0 ? Vec3(-direction) : direction; }
@@ -71,33 +73,11 @@ struct FlatPoints {
   Vec2 at(std::size_t i) const { return {u[i], v[i]}; }
 };
 
-/// Least and largest, in lanes: without branches, and without waiting for the one before.
-struct FloatRange {
-  float low, high;
-
-  explicit FloatRange(const List<float>& values) {
-    constexpr std::size_t kLanes = 8;
-    float least[kLanes], most[kLanes];
-    std::fill_n(least, kLanes, values.front()), std::fill_n(most, kLanes, values.front());
-    std::size_t begin = 0;
-    for (; begin + kLanes <= values.size(); begin += kLanes) {
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        least[lane] = std::min(least[lane], values[begin + lane]);
-        most[lane] = std::max(most[lane], values[begin + lane]);
-      }
-    }
-    for (; begin < values.size(); ++begin) {
-      least[0] = std::min(least[0], values[begin]), most[0] = std::max(most[0], values[begin]);
-    }
-    low = *std::min_element(least, least + kLanes), high = *std::max_element(most, most + kLanes);
-  }
-};
-
 /// Square cells over a box, some of them with points.
 class Cells {
  public:
   explicit Cells(const FlatPoints& points) : cell_of_(points.u.size()) {
-    const FloatRange in_u(points.u), in_v(points.v);
+    const FloatRange in_u(points.u.data(), points.u.size()), in_v(points.v.data(), points.v.size());
     low_u_ = in_u.low, low_v_ = in_v.low;
     const float across = in_u.high - low_u_, down = in_v.high - low_v_;
     const float count = static_cast<float>(points.u.size());

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "kernels/loops.h"
+
 namespace primitect {
 namespace {
 
@@ -28,15 +30,30 @@ List<Vec2> outermost(const List<Vec2>& points) {
       if (-along[k] > farthest[kAxes + k]) farthest[kAxes + k] = -along[k], corners[kAxes + k] = p;
     }
   }
-  List<std::pair<Vec2, Vec2>> sides;
+  // From a corner, in float, which is what points are measured in: those as near to a side as it rounds stay.
+  const Vec2 from = corners[0];
+  kernels::FlatSide sides[kDirections];
+  std::size_t count = 0;
+  double longest = 0.0;
   for (std::size_t k = 0; k < kDirections; ++k) {
-    const Vec2& next = corners[(k + 1) % kDirections];
-    if (next != corners[k]) sides.emplace_back(corners[k], next);
+    const Vec2 side = corners[(k + 1) % kDirections] - corners[k];
+    const double length = side.norm();
+    if (!(length > 0.0)) continue;
+    const Vec2 inward(-side.y() / length, side.x() / length);
+    sides[count++] = {static_cast<float>(inward.x()), static_cast<float>(inward.y()), 0.0f,
+                      static_cast<float>(inward.dot(corners[k] - from))};
+    longest = std::max(longest, length);
   }
+  List<float> x(points.size()), y(points.size()), z(points.size(), 0.0f), depth(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    x[k] = static_cast<float>(points[k].x() - from.x()), y[k] = static_cast<float>(points[k].y() - from.y());
+  }
+  kernels::loops().depths({sides, count}, x.data(), y.data(), z.data(), points.size(), depth.data());
+  if (count == 0) return {};  // all in one place
+  const auto rounding = static_cast<float>(1e-5 * longest);
   List<Vec2> outer;
-  for (const Vec2& p : points) {
-    const auto behind = [&p](const auto& side) { return !(cross(side.first, side.second, p) > 0.0); };
-    if (std::any_of(sides.begin(), sides.end(), behind)) outer.push_back(p);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!(depth[k] > rounding)) outer.push_back(points[k]);
   }
   return outer;
 }
