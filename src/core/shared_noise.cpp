@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/flat_gradients.h"
+#include "core/float_range.h"
 #include "core/frame_memory.h"
 #include "core/noise.h"
 #include "core/residuals.h"
@@ -15,61 +17,64 @@ namespace {
 
 /// Of one cell: sum of the weighted residuals, and number of points.
 struct Cell {
-  double sum = 0.0;
-  double count = 0.0;
+  float sum = 0.0f;
+  float count = 0.0f;
 };
 
-/// Points of a surface with Tukey's biweight of their residuals.
+constexpr std::size_t kMost = 2039;
+using Points = SomePoints<kMost>;
+
+/// Points of a surface with Tukey's biweight of their residuals; those beyond it have none, and count for nothing.
 struct Members {
-  static constexpr std::size_t kMost = 2039;
-  std::size_t count = 0;
+  double count = 0.0;
   double psi_sq = 0.0;  ///< sum
   /// On the surface (m, from any origin): a cell must not collect the points of one side.
-  float x[kMost], y[kMost], z[kMost];
-  float psi[kMost];
+  float x[Points::kRoom], y[Points::kRoom], z[Points::kRoom];
+  float psi[Points::kRoom], once[Points::kRoom];
 };
 
-void findMembers(const Shape& shape, const SomePoints<Members::kMost>& points, const PointNoise& sigma,
-                 Members& members) {
-  const auto feet = Feet<SomePoints<Members::kMost>::kRoom>(shape, points);
-  float one[SomePoints<Members::kMost>::kRoom];
+/// Loops without branches: half of the instructions.
+void findMembers(const Shape& shape, const Points& points, const PointNoise& sigma, Members& members) {
+  const auto feet = Feet<Points::kRoom>(shape, points);
+  float one[Points::kRoom];
   sigma.at(points, one);
   for (std::size_t k = 0; k < points.count; ++k) {
     const float away = feet.distance[k];
     const float share = away / (static_cast<float>(kInlierDeviations) * one[k]);
-    if (!(std::abs(share) < 1.0f)) continue;
-    const float root = 1.0f - share * share, psi = share * root * root;
-    const std::size_t at = members.count++;
-    members.x[at] = points.x[k] - away * feet.nx[k];
-    members.y[at] = points.y[k] - away * feet.ny[k];
-    members.z[at] = points.z[k] - away * feet.nz[k];
-    members.psi[at] = psi;
-    members.psi_sq += static_cast<double>(psi) * psi;
+    const bool within = std::abs(share) < 1.0f;
+    const float root = within ? 1.0f - share * share : 0.0f;
+    members.once[k] = within ? 1.0f : 0.0f;
+    members.psi[k] = within ? share * root * root : 0.0f;
+    members.x[k] = points.x[k] - away * feet.nx[k];
+    members.y[k] = points.y[k] - away * feet.ny[k];
+    members.z[k] = points.z[k] - away * feet.nz[k];
   }
+  members.psi_sq = sumOfProducts(members.psi, members.psi, points.count);
+  members.count = sumOfProducts(members.once, members.once, points.count);
 }
 
-/// A box around the members cut into about thirty cells that meet the surface.
-List<Cell> cellsOf(const Members& members) {
+/// A box around the points cut into about thirty cells that meet the surface.
+List<Cell> cellsOf(const Members& members, std::size_t count) {
   constexpr float kCells = 30.0f, kMostAlong = 100.0f;
-  Eigen::Array3f low(members.x[0], members.y[0], members.z[0]), high = low;
-  for (std::size_t k = 0; k < members.count; ++k) {
-    const Eigen::Array3f place(members.x[k], members.y[k], members.z[k]);
-    low = low.min(place);
-    high = high.max(place);
-  }
-  const Eigen::Array3f size = high - low;
+  const FloatRange x(members.x, count), y(members.y, count), z(members.z, count);
+  const Eigen::Array3f size(x.high - x.low, y.high - y.low, z.high - z.low);
   const float longest = size.maxCoeff(), shortest = size.minCoeff();
   const float middle = size.sum() - longest - shortest;
   const float per_edge = 1.0f / std::max({std::sqrt(longest * middle / kCells), longest / kMostAlong, 1e-9f});
   const Eigen::Array3i counts = (size * per_edge).cast<int>() + 1;
   List<Cell> cells(static_cast<std::size_t>(counts.prod()));
-  for (std::size_t k = 0; k < members.count; ++k) {
-    const int column = static_cast<int>((members.x[k] - low.x()) * per_edge);
-    const int row = static_cast<int>((members.y[k] - low.y()) * per_edge);
-    const int layer = static_cast<int>((members.z[k] - low.z()) * per_edge);
-    Cell& cell = cells[static_cast<std::size_t>((layer * counts.y() + row) * counts.x() + column)];
+  int cell_of[Points::kRoom];
+  const int columns = counts.x(), rows = counts.y();
+  for (std::size_t k = 0; k < count; ++k) {
+    const int column = static_cast<int>((members.x[k] - x.low) * per_edge);
+    const int row = static_cast<int>((members.y[k] - y.low) * per_edge);
+    const int layer = static_cast<int>((members.z[k] - z.low) * per_edge);
+    cell_of[k] = (layer * rows + row) * columns + column;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    Cell& cell = cells[static_cast<std::size_t>(cell_of[k])];
     cell.sum += members.psi[k];
-    cell.count += 1.0;
+    cell.count += members.once[k];
   }
   return cells;
 }
@@ -77,17 +82,17 @@ List<Cell> cellsOf(const Members& members) {
 }  // namespace
 
 double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
-  const SomePoints<Members::kMost> points(inliers);
+  const Points points(inliers);
   Members members;
   findMembers(shape, points, sigma, members);
-  if (members.count == 0 || !(members.psi_sq > 0.0)) return 1.0;
+  if (!(members.psi_sq > 0.0)) return 1.0;
   double sums_sq = 0.0, counts_sq = 0.0;
-  for (const Cell& cell : cellsOf(members)) {
-    sums_sq += cell.sum * cell.sum;
-    counts_sq += cell.count * cell.count;
+  for (const Cell& cell : cellsOf(members, points.count)) {
+    sums_sq += static_cast<double>(cell.sum) * cell.sum;
+    counts_sq += static_cast<double>(cell.count) * cell.count;
   }
   // As many cells of equal size; the fit has made the sums smaller in as many ways as it has parameters.
-  const double cells = static_cast<double>(members.count * members.count) / counts_sq;
+  const double cells = members.count * members.count / counts_sq;
   const double freedom = cells - parameterCount(kindOf(shape));
   if (!(freedom > 1.0)) return 1.0;
   const double growth = sums_sq / members.psi_sq * cells / freedom;
