@@ -38,8 +38,8 @@ constexpr int kParameters<Cylinder> = parameterCount(Kind::cylinder);
 template <>
 constexpr int kParameters<Cone> = parameterCount(Kind::cone);
 
-/// L D L' without pivots, which a matrix of squares does not need. Eigen's, with pivots and of a size that is known only
-/// when it runs, takes six times as many instructions: 2 % of a frame.
+/// L D L' without pivots, which a matrix of squares does not need. Eigen's, with pivots and of a size that is known
+/// only when it runs, takes six times as many instructions: 2 % of a frame.
 template <int count>
 Gradient solve(const kernels::NormalEquations& equations) {
   double trace = 0.0;
