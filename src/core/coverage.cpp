@@ -17,7 +17,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// A share of one half is then known to 0.05, of evenly spread ones. Twice as many take 1 % of a frame.
+/// A share of one half is then known to 0.05, of evenly spread ones. Twice as many take .8 % more of a frame.
 constexpr std::size_t kProbes = 64;
 /// Places of a plane that tell how its outline cuts what lies around a probe; every second one is a probe.
 constexpr std::size_t kPlaces = 2 * kProbes;
