@@ -20,8 +20,8 @@ struct WindowTask {
   std::size_t pixel;
   std::size_t half_width, inner_half_width;  ///< px; the inner window gives the start
   float depth, u, v;                         ///< of the centre (m, -, -)
-  float largest_jump;                        ///< share of the depth that parts another surface, at the start
-  float tolerance;                           ///< share of the depth, about the fitted plane
+  float largest_jump;                        ///< of d, that parts another surface, at the start
+  float tolerance;                           ///< of d, about the fitted plane
   int fewest_at_start;                       ///< pixels
   float u_per_column, v_per_row;             ///< of a pinhole image; 0: not known, u and v are those of the points
 };

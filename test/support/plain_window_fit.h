@@ -42,23 +42,38 @@ kernels::WindowPlane plainPass(const kernels::PointImage& image, const kernels::
   return plane;
 }
 
+/// Sum of d minus the plane's, squared, over all pixels of the window; NaN where one is missing.
+inline double leftOver(const kernels::PointImage& image, const kernels::WindowTask& task,
+                       const kernels::WindowPlane& plane) {
+  double squares = 0.0;
+  plainPass(image, task, static_cast<int>(task.half_width), [&](double u, double v, double d) {
+    squares += std::pow(d - plane.a * u - plane.b * v - plane.c, 2);
+    return true;
+  });
+  return squares;
+}
+
 /// See kernels::Loops::fitWindow.
 inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, const kernels::WindowTask& task) {
-  kernels::WindowPlane plane =
-      plainPass(image, task, static_cast<int>(task.inner_half_width),
-                [&](double, double, double d) { return std::abs(1.0 / (1.0 + d) - 1.0) < task.largest_jump; });
-  if (plane.used < task.fewest_at_start || plane.used == 0) return {};
   const int reach = static_cast<int>(task.half_width);
-  const auto refit = [&](double tolerance) {
+  const auto measured = [](double, double, double d) { return d == d; };
+  if (task.u_per_column != 0.0f) {
+    const kernels::WindowPlane plane = plainPass(image, task, reach, measured);
+    if (leftOver(image, task, plane) < plane.used * std::pow(0.47 * task.tolerance, 2)) return plane;
+  }
+  const auto near = [&](double, double, double d) { return std::abs(d) < task.largest_jump; };
+  const kernels::WindowPlane start = plainPass(image, task, static_cast<int>(task.inner_half_width), near);
+  if (start.used < task.fewest_at_start || start.used == 0) return {};
+  const auto refit = [&](const kernels::WindowPlane& plane) {
     return plainPass(image, task, reach, [&](double u, double v, double d) {
-      const double fitted = plane.a * u + plane.b * v + plane.c;
-      return std::abs(1.0 / (1.0 + d) - 1.0 / (1.0 + fitted)) < tolerance;
+      return std::abs(d - (plane.a * u + plane.b * v + plane.c)) < task.tolerance;
     });
   };
-  const int points = plainPass(image, task, reach, [](double, double, double d) { return d == d; }).used;
-  plane = refit(task.tolerance);
-  if (plane.used == 0 || plane.used > 0.9 * points) return plane;
-  return refit(task.tolerance);
+  const kernels::WindowPlane plane = refit(start);
+  if (plane.used == 0) return plane;
+  const double slope_sq = std::pow(plane.a - start.a, 2) + std::pow(plane.b - start.b, 2);
+  const double shift_sq = slope_sq / (plane.used * plane.variance) + std::pow(plane.c - start.c, 2);
+  return shift_sq < std::pow(0.25 * task.tolerance, 2) ? plane : refit(plane);
 }
 
 }  // namespace primitect::test
