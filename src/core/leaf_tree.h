@@ -38,9 +38,13 @@ class LeafTree {
   std::size_t leaves() const { return x_.size() / kernels::kLeafSize; }
   /// The sample at a place of a leaf, counted over all leaves.
   std::uint32_t sampleAt(std::size_t place) const { return sample_[place]; }
+  /// Which bits of a key are the place; see kernels::NearestKeys. Keys of leaves that are kept have the same.
+  int placeBits() const { return place_bits_; }
   kernels::LeafTree view() const;
 
  private:
+  static constexpr int kFewestPlaceBits = (1 << 13) - 1;
+
   struct BoxList {
     std::array<List<float>, 3> low, high;
 
@@ -54,10 +58,11 @@ class LeafTree {
   bool holds(const Batch& batch, const Samples& samples) const;
   void append(const Samples& samples, std::size_t first);
 
-  List<double> x_, y_, z_;      ///< of the places
+  List<float> x_, y_, z_;       ///< of the places
   List<std::uint32_t> sample_;  ///< of the places
   BoxList leaf_boxes_, node_boxes_;
   List<Batch> batches_;
+  int place_bits_ = kFewestPlaceBits;
 };
 
 }  // namespace primitect

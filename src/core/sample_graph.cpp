@@ -17,10 +17,10 @@ constexpr std::size_t kStatesAtOnce = sizeof(std::uint64_t);
 
 static_assert(SampleGraph::kNeighbors == kLeafSize);
 
-std::size_t placeIn(double key) {
-  std::int64_t bits;
+std::size_t placeIn(float key, int place_bits) {
+  std::int32_t bits;
   std::memcpy(&bits, &key, sizeof(bits));
-  return static_cast<std::size_t>(bits & kernels::kPlaceBits);
+  return static_cast<std::size_t>(bits & place_bits);
 }
 
 kernels::NearestKeys noKeys() {
@@ -50,11 +50,12 @@ void SampleGraph::build(const Samples& samples) {
 }
 
 void SampleGraph::store(std::size_t first, std::size_t count, const kernels::NearestKeys& keys) {
+  const int place_bits = tree_.placeBits();
   for (std::size_t i = 0; i < count; ++i) {
     const auto self = static_cast<std::uint32_t>(first + i);
     for (int k = 0; k < kNeighbors; ++k) {
-      const double key = keys.of[k][i];
-      neighbors_[self][k] = key < kernels::kNoNeighbor ? tree_.sampleAt(placeIn(key)) : self;
+      const float key = keys.of[k][i];
+      neighbors_[self][k] = key < kernels::kNoNeighbor ? tree_.sampleAt(placeIn(key, place_bits)) : self;
     }
   }
 }

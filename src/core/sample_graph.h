@@ -20,11 +20,11 @@ class SampleGraph {
   using Neighbors = std::array<std::uint32_t, kNeighbors>;
 
   /// For these samples; with fewer than kNeighbors others, a sample is its own neighbour in their place. When they
-  /// begin with those of the last time, only what is new is looked at. Exact in any order of the samples, but only fast
-  /// when neighbours in space are near each other in memory.
+  /// begin with those of the last time, only what is new is looked at. Right in any order of the samples, but only
+  /// fast when neighbours in space are near each other in memory.
   void build(const Samples& samples);
 
-  /// Nearest first; of two that are as near (to 1e-7) the one of lower index.
+  /// Nearest first; of two that are as near (to 1e-3 of up to 8192 samples) the one of lower index.
   const Neighbors& of(std::uint32_t sample) const { return neighbors_[sample]; }
 
   /// Of the samples that belongs(sample) is true of, those that can be reached from the start through others of them,

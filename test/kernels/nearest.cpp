@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 #include "core/leaf_tree.h"
 #include "test/support/exact_shapes.h"
@@ -30,10 +31,10 @@ NearestKeys nearestOf(const Loops& loops, const LeafTree& tree, std::size_t leaf
   return keys;
 }
 
-std::uint32_t sampleIn(double key) {
-  std::int64_t bits;
+std::uint32_t sampleIn(float key, const LeafTree& tree) {
+  std::int32_t bits;
   std::memcpy(&bits, &key, sizeof(bits));
-  return static_cast<std::uint32_t>(bits & kernels::kPlaceBits);
+  return static_cast<std::uint32_t>(bits & tree.placeBits());
 }
 
 TEST(Nearest, AreThoseOfAllDistances) {
@@ -48,15 +49,32 @@ TEST(Nearest, AreThoseOfAllDistances) {
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       const std::size_t leaf = i / kLeafSize;
       const NearestKeys keys = nearestOf(*loops, tree, leaf, tree.batches()[0].samplesOf(leaf));
-      std::vector<std::uint32_t> others;
+      std::vector<double> distances;
       for (std::uint32_t j = 0; j < samples.size(); ++j) {
-        if (j != i) others.push_back(j);
+        if (j != i) distances.push_back(distanceSq(i, j));
       }
-      std::sort(others.begin(), others.end(),
-                [&](std::uint32_t a, std::uint32_t b) { return distanceSq(i, a) < distanceSq(i, b); });
+      std::sort(distances.begin(), distances.end());
+      std::set<std::uint32_t> found;
       for (std::size_t k = 0; k < kLeafSize; ++k) {
-        EXPECT_EQ(sampleIn(keys.of[k][i % kLeafSize]), others[k]) << loops->name << " of " << i;
+        const std::uint32_t j = sampleIn(keys.of[k][i % kLeafSize], tree);
+        found.insert(j);
+        // Ten bits of the square are left beside the place.
+        EXPECT_NEAR(distanceSq(i, j), distances[k], 1e-3 * distances[k]) << loops->name << " of " << i;
       }
+      EXPECT_EQ(found.size(), kLeafSize) << loops->name << " of " << i;
+      EXPECT_EQ(found.count(i), 0u) << loops->name << " of " << i;
+    }
+  }
+}
+
+TEST(Nearest, AreTheSameOnEveryInstructionSet) {
+  LeafTree tree;
+  tree.update(scattered(301));
+  for (std::size_t leaf = 0; leaf < 301 / kLeafSize; ++leaf) {
+    const NearestKeys first = nearestOf(**kernels::allLoops().begin(), tree, leaf, kLeafSize);
+    for (const Loops* loops : kernels::allLoops()) {
+      const NearestKeys keys = nearestOf(*loops, tree, leaf, kLeafSize);
+      EXPECT_EQ(std::memcmp(&keys, &first, sizeof(keys)), 0) << loops->name << " of leaf " << leaf;
     }
   }
 }
