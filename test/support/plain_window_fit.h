@@ -59,7 +59,7 @@ inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, con
   const auto measured = [](double, double, double d) { return d == d; };
   if (task.u_per_column != 0.0f) {
     const kernels::WindowPlane plane = plainPass(image, task, reach, measured);
-    if (leftOver(image, task, plane) < plane.used * std::pow(0.47 * task.tolerance, 2)) return plane;
+    if (leftOver(image, task, plane) < plane.used * std::pow(0.42 * task.tolerance, 2)) return plane;
   }
   const auto near = [&](double, double, double d) { return std::abs(d) < task.largest_jump; };
   const kernels::WindowPlane start = plainPass(image, task, static_cast<int>(task.inner_half_width), near);
@@ -73,7 +73,7 @@ inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, con
   if (plane.used == 0) return plane;
   const double slope_sq = std::pow(plane.a - start.a, 2) + std::pow(plane.b - start.b, 2);
   const double shift_sq = slope_sq / (plane.used * plane.variance) + std::pow(plane.c - start.c, 2);
-  return shift_sq < std::pow(0.25 * task.tolerance, 2) ? plane : refit(plane);
+  return shift_sq < std::pow(0.1 * task.tolerance, 2) ? plane : refit(plane);
 }
 
 }  // namespace primitect::test
