@@ -78,6 +78,11 @@ struct Cloud {
   /// Points [begin, end) were written to x, y and z as they came: those that setPoint() would make missing become so.
   void checkPoints(std::size_t begin, std::size_t end, const DepthRange& range);
 
+  /// Stores `count` points from index `begin` on, as setPoint() would: floats x, y, z that follow each other in memory,
+  /// `step` bytes from one point to the next, the first at `first`; they need not be aligned.
+  void setPoints(std::size_t begin, std::size_t count, const std::uint8_t* first, std::size_t step,
+                 const DepthRange& range);
+
   /// Into another frame. Points that setPoint() would make missing there become so.
   void move(const Eigen::Isometry3d& target_from_source, const DepthRange& range);
 

@@ -42,6 +42,12 @@ void Cloud::checkPoints(std::size_t begin, std::size_t end, const DepthRange& ra
   behind_count += measured.behind;
 }
 
+void Cloud::setPoints(std::size_t begin, std::size_t count, const std::uint8_t* first, std::size_t step,
+                      const DepthRange& range) {
+  kernels::loops().takeApart(first, step, count, x.data() + begin, y.data() + begin, z.data() + begin);
+  checkPoints(begin, begin + count, range);
+}
+
 void Cloud::move(const Eigen::Isometry3d& target_from_source, const DepthRange& range) {
   const Eigen::Matrix3f turn = target_from_source.linear().cast<float>();
   const Eigen::Vector3f shift = target_from_source.translation().cast<float>();

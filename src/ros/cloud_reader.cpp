@@ -130,23 +130,20 @@ struct PointGrid {
   const std::uint8_t* row(std::size_t number) const { return data + number * row_step; }
 };
 
-/// Floats alone, as nearly all messages bring them: each row is copied, then checked in vectors.
-void readFloats(const PointGrid& grid, const Slots& slots, const DepthRange& range, Cloud& cloud) {
-  const std::size_t width = grid.width, step = grid.point_step;
-  for (std::size_t row = 0; row < grid.height; ++row) {
-    const std::uint8_t* point = grid.row(row);
-    float *const x = cloud.x.data() + row * width, *const y = cloud.y.data() + row * width;
-    float* const z = cloud.z.data() + row * width;
-    for (std::size_t i = 0; i < width; ++i, point += step) {
-      std::memcpy(x + i, point + slots[0].offset, sizeof(float));
-      std::memcpy(y + i, point + slots[1].offset, sizeof(float));
-      std::memcpy(z + i, point + slots[2].offset, sizeof(float));
-    }
-    cloud.checkPoints(row * width, (row + 1) * width, range);
-  }
+bool areFloats(const Slots& slots) { return !slots[0].is_double && !slots[1].is_double && !slots[2].is_double; }
+
+/// Floats that follow each other, as nearly all messages bring them.
+bool areInARow(const Slots& slots) {
+  return areFloats(slots) && slots[1].offset == slots[0].offset + sizeof(float) &&
+         slots[2].offset == slots[1].offset + sizeof(float);
 }
 
-bool areFloats(const Slots& slots) { return !slots[0].is_double && !slots[1].is_double && !slots[2].is_double; }
+/// Each row is taken apart, then checked, in vectors.
+void readRows(const PointGrid& grid, const Slots& slots, const DepthRange& range, Cloud& cloud) {
+  for (std::size_t row = 0; row < grid.height; ++row) {
+    cloud.setPoints(row * grid.width, grid.width, grid.row(row) + slots[0].offset, grid.point_step, range);
+  }
+}
 
 /// Calls store(index, a, b, c) for every point; without doubles the inner loop has no branch on the type.
 template <typename Store>
@@ -175,7 +172,7 @@ void readTriples(const PointGrid& grid, Slots slots, Store store) {
 void readPositions(const PointGrid& grid, const Slots& slots, const DepthRange& range, bool with_normals,
                    Cloud& cloud) {
   cloud.prepare(grid.width, grid.height, with_normals);
-  if (areFloats(slots)) return readFloats(grid, slots, range, cloud);
+  if (areInARow(slots)) return readRows(grid, slots, range, cloud);
   readTriples(grid, slots, [&](std::size_t i, float x, float y, float z) { cloud.setPoint(i, x, y, z, range); });
 }
 

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 #include "test/support/exact_shapes.h"
 
@@ -49,6 +51,35 @@ TEST(Cloud, ChecksPointsInARowAsOneByOne) {
       ASSERT_EQ(in_a_row.valid(i), one_by_one.valid(i)) << i;
       if (!in_a_row.valid(i)) continue;
       ASSERT_TRUE(in_a_row.x[i] == one_by_one.x[i] && in_a_row.z[i] == one_by_one.z[i]) << i;
+    }
+  }
+}
+
+TEST(Cloud, TakesPointsFromBytesOfAnyStepAndPlace) {
+  constexpr std::size_t kCount = 37;  // no whole vectors
+  const DepthRange range{0.1f, 2.0f};
+  for (const std::size_t step : {12, 13, 16, 20, 32, 48}) {
+    for (const std::size_t offset : {0, 1, 4}) {
+      // The last point ends where the bytes end: nothing behind it may be read.
+      std::vector<std::uint8_t> bytes(offset + (kCount - 1) * step + 3 * sizeof(float), 0xff);
+      Cloud one_by_one, from_bytes;
+      one_by_one.reset(kCount + 1, 1, false);
+      from_bytes.reset(kCount + 1, 1, false);
+      for (std::size_t i = 0; i < kCount; ++i) {
+        const float point[] = {0.1f * i, -0.2f * i, i % 5 == 0 ? std::nanf("") : 0.06f * i};
+        std::memcpy(bytes.data() + offset + i * step, point, sizeof point);
+        one_by_one.setPoint(i + 1, point[0], point[1], point[2], range);
+      }
+      from_bytes.setPoints(1, kCount, bytes.data() + offset, step, range);
+      EXPECT_EQ(from_bytes.valid_count, one_by_one.valid_count);
+      EXPECT_GT(from_bytes.valid_count, 20u);
+      for (std::size_t i = 0; i <= kCount; ++i) {
+        ASSERT_EQ(from_bytes.valid(i), one_by_one.valid(i)) << "step " << step << ", point " << i;
+        if (!from_bytes.valid(i)) continue;
+        ASSERT_EQ(from_bytes.x[i], one_by_one.x[i]);
+        ASSERT_EQ(from_bytes.y[i], one_by_one.y[i]);
+        ASSERT_EQ(from_bytes.z[i], one_by_one.z[i]);
+      }
     }
   }
 }

@@ -94,6 +94,33 @@ TEST(Score, OfASmallPlaneIsSpokenAgainstByAllDraws) {
   EXPECT_LT(hypothesisOf(kPlane, drawn(first, beside)).score, alone - 100.0);
 }
 
+TEST(Score, KeepsTheGainsThatAnEvaluationWouldFind) {
+  Random random(29);
+  const Plane elsewhere = {Vec3(0, 0, 5), Vec3(0, 0, -1)};
+  // More than one block near, and blocks that are not.
+  const auto on = test::patchOf(kSphere, 150, random);
+  const Samples samples = samplesWith(kNoiseModel, test::together(test::patchOf(elsewhere, 100, 0.2, random), on));
+  HeldGains held(samples.size(), 0.0f);
+  std::fill(held.begin() + 100, held.begin() + 130, 0.9f);
+  NearGains near;
+  for (const Shape& shape : {Shape(elsewhere), Shape(kSphere)}) {  // what was near before is forgotten
+    Hypothesis evaluated, scored;
+    evaluated.shape = scored.shape = shape;
+    evaluate(samples, held, 1.0, evaluated);
+    score(samples, held, 1.0, scored, near);
+    fillSupport(samples, near, scored);
+    EXPECT_EQ(scored.score, evaluated.score);
+    EXPECT_EQ(scored.inliers, evaluated.inliers);
+    EXPECT_EQ(scored.blocks, evaluated.blocks);
+    ASSERT_EQ(scored.support.size(), evaluated.support.size());
+    ASSERT_GT(scored.support.size(), 90u);
+    for (std::size_t k = 0; k < scored.support.size(); ++k) {
+      ASSERT_EQ(scored.support[k].sample, evaluated.support[k].sample);
+      ASSERT_EQ(scored.support[k].gain, evaluated.support[k].gain);
+    }
+  }
+}
+
 TEST(Gain, IsOneOnTheSurfaceWithItsNormal) {
   for (const auto& [shape, p] : kPoints) {
     ASSERT_TRUE(gainOf(shape, p)) << kindName(kindOf(shape));
