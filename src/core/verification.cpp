@@ -189,6 +189,20 @@ void Verification::refit(const Segment& segment, const HeldGains& held) {
   if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
 }
 
+/// The same but for a few samples; both in rising order.
+bool nearlySame(const List<std::uint32_t>& a, const List<std::uint32_t>& b) {
+  constexpr double kLeast = 0.95;
+  const double needed = kLeast * static_cast<double>(std::max(a.size(), b.size()));
+  if (static_cast<double>(std::min(a.size(), b.size())) < needed) return false;
+  std::size_t both = 0;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    both += *i == *j ? 1 : 0;
+    const bool next_i = *i <= *j, next_j = *j <= *i;
+    i += next_i, j += next_j;
+  }
+  return static_cast<double>(both) >= needed;
+}
+
 /// What was selected is fitted again; then it competes with what it was.
 void Verification::refit() {
   constexpr int kTimes = 2;
@@ -197,8 +211,12 @@ void Verification::refit() {
     const HeldGains held = heldByChosen();
     const std::size_t before = pool_.size();
     for (const Segment& segment : segments_) {
-      // The same samples hardly give another shape.
-      if (std::find(refitted.begin(), refitted.end(), segment.inliers) != refitted.end()) continue;
+      // The same samples hardly give another shape; but the few that a plane gained or lost may part it.
+      const bool plane = kindOf(segment.candidate.shape) == Kind::plane;
+      const auto known = [&segment, plane](const List<std::uint32_t>& set) {
+        return plane ? set == segment.inliers : nearlySame(set, segment.inliers);
+      };
+      if (std::any_of(refitted.begin(), refitted.end(), known)) continue;
       refitted.push_back(segment.inliers);
       refit(segment, held);
     }
