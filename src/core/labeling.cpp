@@ -71,7 +71,7 @@ void Labeling::findNear(const PointRuns& runs, std::size_t target) {
 
 /// Of a part only the sides that pass through the ball around a run: one or two of the forty that an outline may have.
 void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
-  of_run_count_ = 0;
+  of_run_.clear();
   sides_.clear();
   for (std::size_t first = 0, at = k; first < targets_.size(); first += kTargetsPerWord, at += runs.size()) {
     for (std::uint32_t near = near_[at]; near != 0; near &= near - 1) {
@@ -82,7 +82,7 @@ void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
         target.part.addSidesNear(runs.x[k], runs.y[k], runs.z[k], kRounding * runs.radius[k], sides_);
       }
       const kernels::FlatPart here = {sides_.data() + before, sides_.size() - before};
-      of_run_[of_run_count_++] = {&target.shape, here, static_cast<std::uint32_t>(first + bit + 1)};
+      of_run_.push_back({&target.shape, here, static_cast<std::uint32_t>(first + bit + 1)});
     }
   }
 }
@@ -90,14 +90,14 @@ void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
 void Labeling::labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const {
   const std::size_t begin = run * kRun, count = std::min(kRun, cloud_->size() - begin);
   const float *x = cloud_->x.data() + begin, *y = cloud_->y.data() + begin, *z = cloud_->z.data() + begin;
-  if (of_run_count_ == 0) {
+  if (of_run_.empty()) {
     std::fill_n(labels + begin, count, 0u);
   } else if (count == kRun) {
-    kernels::loops().label(tolerance, of_run_.data(), of_run_count_, x, y, z, labels + begin);
+    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), x, y, z, labels + begin);
   } else {
     const LastRun last(x, y, z, count);
     std::uint32_t last_labels[kRun];
-    kernels::loops().label(tolerance, of_run_.data(), of_run_count_, last.x, last.y, last.z, last_labels);
+    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z, last_labels);
     std::copy_n(last_labels, count, labels + begin);
   }
 }
@@ -106,10 +106,10 @@ std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolera
   const std::size_t begin = run * kRun, count = std::min(kRun, cloud_->size() - begin);
   const float *x = cloud_->x.data() + begin, *y = cloud_->y.data() + begin, *z = cloud_->z.data() + begin;
   const kernels::Loops& loops = kernels::loops();
-  if (of_run_count_ == 0) return ~std::uint64_t{0};
-  if (count == kRun) return loops.unexplained(tolerance, of_run_.data(), of_run_count_, x, y, z);
+  if (of_run_.empty()) return ~std::uint64_t{0};
+  if (count == kRun) return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), x, y, z);
   const LastRun last(x, y, z, count);
-  return loops.unexplained(tolerance, of_run_.data(), of_run_count_, last.x, last.y, last.z);
+  return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z);
 }
 
 /// wanted: by each detection; none: all are. Runs are near no other.
@@ -127,7 +127,6 @@ void Labeling::prepare(const std::vector<Detection>& detections, const List<bool
   }
   // What belongs to a run stays where it is while the rest is gathered.
   sides_.reserve(sides);
-  of_run_.resize(targets_.size());
 }
 
 void Labeling::labelWithin(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) {
@@ -153,26 +152,26 @@ void Labeling::labelWithout(const std::vector<Detection>& detections, const List
     if (wanted[run.label - 1]) continue;
     for (std::size_t k = run.begin / kRun; k * kRun < run.end; ++k) concerned[k] = true;
   }
-  List<std::uint32_t> places;
+  PointRuns again;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (concerned[runs.number[k]]) places.push_back(static_cast<std::uint32_t>(k));
+    if (!concerned[runs.number[k]]) continue;
+    again.number.push_back(runs.number[k]), again.measured.push_back(runs.measured[k]);
+    again.x.push_back(runs.x[k]), again.y.push_back(runs.y[k]), again.z.push_back(runs.z[k]);
+    again.radius.push_back(runs.radius[k]);
   }
-  const PointRuns again = someOf(runs, places);
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   prepare(detections, wanted, again, flat);
   labelWithin(again, flat, labels.data());
 }
 
 void Labeling::findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance,
-                               const PointRuns& runs, const List<std::uint32_t>& some,
-                               List<std::uint64_t>& unexplained) {
+                               const PointRuns& runs, List<std::uint64_t>& unexplained) {
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
-  const PointRuns looked_at = someOf(runs, some);
-  unexplained.assign(runs.size(), 0);
-  prepare(detections, {}, looked_at, flat);
-  for (std::size_t k = 0; k < some.size(); ++k) {
-    gatherTargets(looked_at, k);
-    unexplained[some[k]] = unexplainedOf(looked_at.number[k], flat);
+  unexplained.resize(runs.size());
+  prepare(detections, {}, runs, flat);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    gatherTargets(runs, k);
+    unexplained[k] = unexplainedOf(runs.number[k], flat);
   }
 }
 

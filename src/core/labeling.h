@@ -41,9 +41,9 @@ class Labeling {
                     const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels);
 
   /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
-  /// any. Of some runs only, by their place among these; all others' bits are 0.
+  /// any.
   void findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
-                       const List<std::uint32_t>& some, List<std::uint64_t>& unexplained);
+                       List<std::uint64_t>& unexplained);
 
  private:
   struct Target {
@@ -68,9 +68,8 @@ class Labeling {
   List<float> distance_, depth_, allowed_;  ///< of the balls around some runs (m)
   List<Target> targets_;                    ///< of each detection
   List<std::uint32_t> near_, border_;       ///< bits of the targets that a run is near to, and near the border of
-  List<kernels::LabelTarget> of_run_;       ///< what one run is near to, and room for more
-  std::size_t of_run_count_ = 0;
-  List<kernels::FlatSide> sides_;  ///< of a part near a run
+  List<kernels::LabelTarget> of_run_;       ///< what one run is near to
+  List<kernels::FlatSide> sides_;           ///< of a part near a run
 };
 
 /// The same for a cloud that is labelled once.

@@ -40,34 +40,6 @@ void look(const Cloud& cloud, std::size_t begin, std::size_t count, std::size_t 
 
 }  // namespace
 
-PointRuns someOf(const PointRuns& runs, const List<std::uint32_t>& places) {
-  PointRuns some;
-  resize(some, places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const std::uint32_t i = places[k];
-    some.number[k] = runs.number[i], some.measured[k] = runs.measured[i], some.radius[k] = runs.radius[i];
-    some.x[k] = runs.x[i], some.y[k] = runs.y[i], some.z[k] = runs.z[i];
-  }
-  return some;
-}
-
-List<std::uint32_t> everyOther(const PointRuns& all, std::uint32_t width) {
-  List<std::uint32_t> places;
-  places.reserve(all.size() / 2 + 1);
-  const std::uint32_t fields = width / static_cast<std::uint32_t>(kRun);
-  for (std::uint32_t k = 0; k < all.size(); ++k) {
-    const std::uint32_t row = all.number[k] / fields, field = all.number[k] % fields;
-    if ((row + field) % 2 == 0) places.push_back(k);
-  }
-  return places;
-}
-
-List<std::uint32_t> everyOne(const PointRuns& runs) {
-  List<std::uint32_t> places(runs.size());
-  std::iota(places.begin(), places.end(), 0u);
-  return places;
-}
-
 void findRuns(const Cloud& cloud, PointRuns& all) {
   resize(all, numberOfRuns(cloud));
   std::iota(all.number.begin(), all.number.end(), 0u);

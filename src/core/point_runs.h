@@ -39,16 +39,6 @@ inline std::size_t numberOfRuns(const Cloud& cloud) {
   return (cloud.size() + kernels::kPointsPerRun - 1) / kernels::kPointsPerRun;
 }
 
-/// Those at these places among the runs.
-PointRuns someOf(const PointRuns& runs, const List<std::uint32_t>& places);
-
-/// Places among all runs of an image, whose rows hold whole runs, like the black fields of a chess board: every other
-/// run of a row, of the next row those between. What is a few pixels large has half of its points in them.
-List<std::uint32_t> everyOther(const PointRuns& all, std::uint32_t width);
-
-/// The places of all of them.
-List<std::uint32_t> everyOne(const PointRuns& runs);
-
 /// All runs of a cloud.
 void findRuns(const Cloud& cloud, PointRuns& all);
 

@@ -117,41 +117,6 @@ TEST(PointRuns, KnowWhichPointsWereMeasured) {
   }
 }
 
-TEST(PointRuns, OfEveryOtherFieldHoldHalfOfWhatIsAFewPixelsLarge) {
-  constexpr std::size_t kSide = 6;
-  for (const std::uint32_t width : {640u, 320u, 128u}) {
-    Cloud cloud;
-    cloud.reset(width, 60, false);
-    PointRuns runs;
-    findRuns(cloud, runs);
-    std::vector<std::size_t> looked_at(cloud.size() + kernels::kPointsPerRun, 0);
-    for (const std::uint32_t k : everyOther(runs, width)) {
-      std::fill_n(looked_at.begin() + runs.number[k] * kernels::kPointsPerRun, kernels::kPointsPerRun, 1);
-    }
-    for (std::size_t row = 0; row + kSide <= cloud.height; row += kSide) {
-      for (std::size_t column = 0; column + kSide <= width; ++column) {
-        std::size_t count = 0;
-        for (std::size_t r = row; r < row + kSide; ++r) {
-          for (std::size_t c = column; c < column + kSide; ++c) count += looked_at[r * width + c];
-        }
-        ASSERT_EQ(count, kSide * kSide / 2) << width << ": " << column << ", " << row;
-      }
-    }
-  }
-}
-
-TEST(Unexplained, AreNoneOfTheRunsThatAreNotLookedAt) {
-  const Cloud cloud = cloudInOrder();
-  Labeling labeling;
-  labeling.begin(cloud);
-  const PointRuns& runs = labeling.allRuns();
-  List<std::uint64_t> all, some;
-  labeling.findUnexplained(detections(), kOfDepthCamera, runs, everyOne(runs), all);
-  labeling.findUnexplained(detections(), kOfDepthCamera, runs, {1, 4, 5}, some);
-  ASSERT_EQ(some.size(), runs.size());
-  for (std::size_t k = 0; k < some.size(); ++k) EXPECT_EQ(some[k], k == 1 || k == 4 || k == 5 ? all[k] : 0) << k;
-}
-
 TEST(LabelPoints, KnowMoreShapesThanAWordHasBits) {
   const Cloud cloud = cloudInOrder();
   std::vector<Detection> many(40), few = detections();
@@ -215,8 +180,7 @@ TEST(Unexplained, AreThePointsWithoutALabel) {
   for (const std::size_t count : {items.size(), std::size_t{1}, std::size_t{0}}) {
     const std::vector<Detection> some(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count));
     labeling.label(some, kOfDepthCamera, labeling.allRuns(), labels);
-    const PointRuns& runs = labeling.allRuns();
-    labeling.findUnexplained(some, kOfDepthCamera, runs, everyOne(runs), unexplained);
+    labeling.findUnexplained(some, kOfDepthCamera, labeling.allRuns(), unexplained);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const bool free = unexplained[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
       if (cloud.valid(i)) {
