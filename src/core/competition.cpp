@@ -96,7 +96,8 @@ std::optional<Plane> planeByNormals(const Plane& fitted, const Moments& moments,
 
 /// At most so many of the set, spread evenly.
 List<std::uint32_t> someOf(const List<std::uint32_t>& set, std::size_t most) {
-  const std::size_t count = std::min(set.size(), most);
+  if (set.size() <= most) return set;
+  const std::size_t count = most;
   List<std::uint32_t> some(count);
   for (std::size_t k = 0; k < count; ++k) some[k] = set[k * set.size() / count];
   return some;

@@ -142,19 +142,19 @@ std::vector<Vec2> spreadPlaces(std::size_t count) {
   return places;
 }
 
-/// Points all over the outline.
+/// Places all over the outline.
 List<Vec2> placesIn(const Outline& outline) {
   constexpr std::size_t kMostTimes = 10;
   static const std::vector<Vec2> kSpread = spreadPlaces(kMostTimes * kPlaces);
   const Eigen::AlignedBox2d box = outline.box();
   const double times = std::clamp(box.volume() / outline.area(), 1.0, static_cast<double>(kMostTimes));
   const auto draws = static_cast<std::size_t>(kPlaces * times);
-  List<Vec2> probes;
+  List<Vec2> places;
   for (std::size_t k = 0; k < draws; ++k) {
-    const Vec2 probe = box.center() + kSpread[k].cwiseProduct(box.sizes());
-    if (outline.contains(probe)) probes.push_back(probe);
+    const Vec2 place = box.center() + kSpread[k].cwiseProduct(box.sizes());
+    if (outline.contains(place)) places.push_back(place);
   }
-  return probes;
+  return places;
 }
 
 /// The plane in two coordinates in which its points are equally dense.

@@ -113,14 +113,13 @@ std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, Po
   constexpr std::size_t kFew = 509;
   // In tolerances, which are three deviations: of what few points leave open, 0.04, and all, 0.01, these are a part
   // that does not count; what is left after a step is a tenth of it.
-  constexpr double kSmallOfFew = 0.02, kSmall = 0.02;
-  const auto fit = [errors](const Shape& from, const FitPoints& some, double small_step) {
-    RefineRules rules;
-    rules.small_step = small_step;
+  RefineRules rules;
+  rules.small_step = 0.02;
+  const auto fit = [errors, &rules](const Shape& from, const FitPoints& some) {
     return errors == PointErrors::along_rays ? refineAlongRays(from, some, rules) : refine(from, some, rules);
   };
-  if (points.size() < 2 * kFew) return fit(start, points, kSmall);
-  return fit(fit(start, points.thinned(kFew), kSmallOfFew).value_or(start), points, kSmall);
+  if (points.size() < 2 * kFew) return fit(start, points);
+  return fit(fit(start, points.thinned(kFew)).value_or(start), points);
 }
 
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {

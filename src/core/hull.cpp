@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "kernels/loops.h"
 
@@ -44,18 +43,56 @@ List<Vec2> outermost(const List<Vec2>& points) {
                       static_cast<float>(inward.dot(corners[k] - from))};
     longest = std::max(longest, length);
   }
+  if (count == 0) return {};  // all in one place
   List<float> x(points.size()), y(points.size()), z(points.size(), 0.0f), depth(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     x[k] = static_cast<float>(points[k].x() - from.x()), y[k] = static_cast<float>(points[k].y() - from.y());
   }
   kernels::loops().depths({sides, count}, x.data(), y.data(), z.data(), points.size(), depth.data());
-  if (count == 0) return {};  // all in one place
   const auto rounding = static_cast<float>(1e-5 * longest);
   List<Vec2> outer;
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!(depth[k] > rounding)) outer.push_back(points[k]);
   }
   return outer;
+}
+
+/// Appends the corners of the half from `first` to `last`, of sorted points, on whose right side none lies; without the
+/// last.
+template <class Point>
+void addHalf(Point first, Point last, List<Vec2>& hull) {
+  const std::size_t start = hull.size();
+  for (Point p = first; p != last; ++p) {
+    while (hull.size() >= start + 2 && !(cross(hull[hull.size() - 2], hull.back(), *p) > 0.0)) hull.pop_back();
+    hull.push_back(*p);
+  }
+  hull.pop_back();
+}
+
+/// Appends of the corners after `begin`, before `end`, those that stand out by more than `flat` (m) from what is kept
+/// (Douglas and Peucker, 1973). One by one from neighbour to neighbour a sharp corner would be lost where many are near
+/// it: each stands out little over the next.
+void keepOutstanding(const List<Vec2>& hull, std::size_t begin, std::size_t end, double flat, List<Vec2>& kept) {
+  const Vec2 &from = hull[begin], &to = hull[end % hull.size()];
+  const double length = (to - from).norm();
+  std::size_t farthest = begin;
+  double most = flat * length;
+  for (std::size_t k = begin + 1; k < end; ++k) {
+    const double area = cross(from, hull[k], to);
+    if (area > most) most = area, farthest = k;
+  }
+  if (farthest == begin) return;
+  keepOutstanding(hull, begin, farthest, flat, kept);
+  kept.push_back(hull[farthest]);
+  keepOutstanding(hull, farthest, end, flat, kept);
+}
+
+/// Where halves meet, the point may lie in the middle of a side.
+void dropFlat(std::size_t k, double flat, List<Vec2>& corners) {
+  const std::size_t count = corners.size();
+  const Vec2 &before = corners[(k + count - 1) % count], &after = corners[(k + 1) % count];
+  const bool stands_out = cross(before, corners[k], after) > flat * (after - before).norm();
+  if (count > 3 && !stands_out) corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
 }  // namespace
@@ -66,20 +103,16 @@ List<Vec2> convexHull(const List<Vec2>& all, double flat) {
   std::sort(points.begin(), points.end(),
             [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   List<Vec2> hull;
-  const auto standsOut = [flat](const Vec2& a, const Vec2& b, const Vec2& c) {
-    return cross(a, b, c) > flat * (c - a).norm();
-  };
-  const auto addChain = [&](auto begin, auto end) {
-    const std::size_t start = hull.size();
-    for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= start + 2 && !standsOut(hull[hull.size() - 2], hull.back(), *p)) hull.pop_back();
-      hull.push_back(*p);
-    }
-    hull.pop_back();
-  };
-  addChain(points.begin(), points.end());
-  addChain(points.rbegin(), points.rend());
-  return hull;
+  addHalf(points.begin(), points.end(), hull);
+  const std::size_t middle = hull.size();
+  addHalf(points.rbegin(), points.rend(), hull);
+  List<Vec2> kept = {hull.front()};
+  keepOutstanding(hull, 0, middle, flat, kept);
+  const std::size_t rightmost = kept.size();
+  kept.push_back(hull[middle]);
+  keepOutstanding(hull, middle, hull.size(), flat, kept);
+  for (const std::size_t k : {rightmost, std::size_t{0}}) dropFlat(k, flat, kept);
+  return kept;
 }
 
 Rectangle rectangleAlong(const Vec2& x, const List<Vec2>& points) {

@@ -24,7 +24,8 @@ class SampleGraph {
   /// fast when neighbours in space are near each other in memory.
   void build(const Samples& samples);
 
-  /// Nearest first; of two that are as near (to 1e-3 of up to 8192 samples) the one of lower index.
+  /// Nearest first; of two that are as near (squares to 1e-3 of up to 8192 samples, to twice as much of each twice as
+  /// many) the one of lower index.
   const Neighbors& of(std::uint32_t sample) const { return neighbors_[sample]; }
 
   /// Of the samples that belongs(sample) is true of, those that can be reached from the start through others of them,

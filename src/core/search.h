@@ -22,6 +22,9 @@ class Search {
   Search(PairVoting& voting, Verification& verification, std::function<void(const char*)> done)
       : voting_(voting), verification_(verification), done_(std::move(done)) {}
 
+  /// Batches have so many references.
+  void setBatch(std::size_t references) { batch_ = references; }
+
   /// Noise from what the first batch of these samples votes for; d_s in m.
   void measureNoise(const Samples& samples, double scene_diameter) {
     begin(samples, scene_diameter);
@@ -50,13 +53,7 @@ class Search {
     candidates_.clear();
   }
 
-  /// Of small batches more is explained before the next one votes: against 256, six tenths of the references find as much
-  /// on 60 tables. With 32, a sphere on the top of a paraboloid is believed
-  /// (hard_scenes).
-  std::size_t batches() const {
-    constexpr std::size_t kBatch = 64;  // references
-    return (voting_.references() + kBatch - 1) / kBatch;
-  }
+  std::size_t batches() const { return (voting_.references() + batch_ - 1) / batch_; }
 
   /// The wanted references of a batch, which are spread over all voters, vote.
   template <class Wanted>
@@ -93,6 +90,7 @@ class Search {
   Verification& verification_;
   std::function<void(const char*)> done_;
   List<Candidate> candidates_, strongest_;
+  std::size_t batch_ = 256;
 };
 
 }  // namespace primitect

@@ -25,6 +25,20 @@ NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
 
 std::size_t needed(const Params& params) { return static_cast<std::size_t>(params.min_inliers); }
 
+/// The same but for one in twenty samples; both in rising order. With one in ten less of them the same is found.
+bool nearlySame(const List<std::uint32_t>& a, const List<std::uint32_t>& b) {
+  constexpr double kLeast = 0.95;
+  const double needed = kLeast * static_cast<double>(std::max(a.size(), b.size()));
+  if (static_cast<double>(std::min(a.size(), b.size())) < needed) return false;
+  std::size_t both = 0;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    both += *i == *j ? 1 : 0;
+    const bool next_i = *i <= *j, next_j = *j <= *i;
+    i += next_i, j += next_j;
+  }
+  return static_cast<double>(both) >= needed;
+}
+
 }  // namespace
 
 void Verification::begin(const FrameScale& scale) {
@@ -68,8 +82,8 @@ void Verification::measureNoise(Samples samples, const List<Candidate>& candidat
   if (measured) noise_ = *measured;
 }
 
-/// What is selected is fitted again, to all its samples. Measured on 60 tables and 8 clouds of the paper: with 256 samples
-/// for each fit before that as much is found.
+/// What is selected is fitted again, to all its samples. Measured on 60 tables and 8 clouds of the paper: with 256
+/// samples for each fit before that as much is found.
 ProposalRules Verification::quickRules() const {
   constexpr std::size_t kEnoughToFit = 256;
   ProposalRules quick = rules();
@@ -187,20 +201,6 @@ void Verification::refit(const Segment& segment, const HeldGains& held) {
   inliersOf(trial, near);
   if (near.size() <= segment.inliers.size() * 21 / 20) return;
   if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
-}
-
-/// The same but for a few samples; both in rising order.
-bool nearlySame(const List<std::uint32_t>& a, const List<std::uint32_t>& b) {
-  constexpr double kLeast = 0.95;
-  const double needed = kLeast * static_cast<double>(std::max(a.size(), b.size()));
-  if (static_cast<double>(std::min(a.size(), b.size())) < needed) return false;
-  std::size_t both = 0;
-  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
-    both += *i == *j ? 1 : 0;
-    const bool next_i = *i <= *j, next_j = *j <= *i;
-    i += next_i, j += next_j;
-  }
-  return static_cast<double>(both) >= needed;
 }
 
 /// What was selected is fitted again; then it competes with what it was.

@@ -15,7 +15,8 @@ namespace {
 constexpr double kTolerance = 3.0;  // standard deviations
 
 kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_width, const PixelPitch& pitch) {
-  constexpr float kLargestJump = 0.04f;  // of the depth: more is another surface, at any slope that can be fitted
+  // Of d (window_loops.inc), nearly a share of the depth: more is another surface, at any slope that can be fitted.
+  constexpr float kLargestJump = 0.04f;
   constexpr int kFewestAtStart = 6;
   kernels::WindowTask task = {};
   task.pixel = pixel;
@@ -37,7 +38,7 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
   constexpr double kSmallestShare = 0.25;  // of the window, on the centre's surface
   const double width = 2.0 * static_cast<double>(task.half_width) + 1.0;
   const int needed = std::max(6, static_cast<int>(kSmallestShare * width * width));
-  return plane.used >= needed && std::abs(plane.c) < task.tolerance * (1.0 + plane.c);
+  return plane.used >= needed && std::abs(plane.c) < static_cast<double>(task.tolerance);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ constexpr float kFarAway = 1e18f;
 /// The nearest kLeafSize neighbours, nearest first, of each point of a leaf: squared distance (m^2), in whose last bits
 /// is the place of the neighbour. Such numbers can be sorted by the smaller and the larger of two alone, and where two
 /// are as near, the one that comes first in memory is the first here. Of a float's 23 bits of fraction 10 are left for
-/// the distance where there are 8192 places: in double, exact to 1e-7, it took twice as
-/// long, 3 % of a tabletop and 5 % of a paper scene more.
+/// the square where there are 8192 places, fewer where there are more: in double, exact to 1e-7, it took twice as long,
+/// 3 % of a tabletop and 5 % of a paper scene more.
 struct NearestKeys {
   alignas(64) float of[kLeafSize][kLeafSize];
 };

@@ -46,9 +46,11 @@ Cloud middleOf(const Cloud& image, std::uint32_t width) {
 }
 
 /// How far (rad) the plane found within 3 mm of this place, and most parallel to the true one, is tilted.
-double tiltAt(const Plane& truth, const Cloud& cloud) {
+double tiltAt(const Plane& truth, const Cloud& cloud, int seed = 1) {
   constexpr double kNear = 0.003;
-  Detector detector{Params()};
+  Params params;
+  params.seed = seed;
+  Detector detector{params};
   double least = M_PI;
   for (const Detection& found : detector.detect(cloud).items) {
     const Plane* plane = std::get_if<Plane>(&found.shape);
@@ -75,7 +77,15 @@ TEST(ClutteredTable, TiltsNoTopTowardsAnotherWithTooFewSamples) {
 TEST(ClutteredTable, TakesNoBiasOutOfAFaceTooNarrowForClearPoints) {
   // The front of a box of 28 mm, seen at a steep angle.
   const Plane front = {Vec3(-0.0461, 0.2933, 0.8843), Vec3(0.1104, 0.6753, -0.7292).normalized()};
-  EXPECT_LT(tiltAt(front, withoutOrder(tableCloud(2515))), 2.0 * kDegree);  // was 3.7
+  const Cloud cloud = withoutOrder(tableCloud(2515));
+  int found = 0;
+  for (int seed = 1; seed <= 12; ++seed) {  // so few points that not every draw finds it
+    const double tilt = tiltAt(front, cloud, seed);
+    if (tilt > 10.0 * kDegree) continue;
+    ++found;
+    EXPECT_LT(tilt, 3.0 * kDegree) << seed;  // was 3.7; of twelve draws 1.6 to 2.5
+  }
+  EXPECT_GE(found, 3);
 }
 
 TEST(PartOfAClutteredTable, IsNotTakenApartIntoSlivers) {

@@ -13,7 +13,7 @@ namespace {
 
 using test::kDegree;
 
-// 128 probes find a share to 0.04 at worst; 100 points blur its border by about as much: together root of squares.
+// 64 probes find a share to 0.05 at worst; 100 points blur its border by about 0.04: together root of squares.
 constexpr double kTolerance = 0.06;
 
 /// Evenly spread points of a sphere for which keep(direction) holds, with noise (m) of all axes.

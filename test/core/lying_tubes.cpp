@@ -59,7 +59,7 @@ TEST(LyingTubes, HaveTheirRadii) {
   std::sort(errors.begin(), errors.end());
   std::sort(deviations.begin(), deviations.end());
   EXPECT_LT(errors[errors.size() / 2], 0.0003);
-  // Others have few points and say so.
+  // Others have few points and say so: 7 of 240 have a deviation above 1 mm.
   EXPECT_LT(errors[errors.size() * 95 / 100], 0.0012);
   EXPECT_LT(deviations[deviations.size() * 95 / 100], 0.001);
 }
@@ -87,15 +87,18 @@ TEST(LyingTubes, AreFoundFromTwentyMillimetersOn) {
     int tubes = 0, strips_of_radius = 0;
     for (int k = 1; k <= kFrames; ++k) {
       Detector detector{Params()};
+      bool found = false;
       const Cloud cloud = tubeOnTable(radius, 0.0075 * k - 0.12, static_cast<std::uint64_t>(k), {});
       for (const Detection& item : detector.detect(cloud).items) {
-        if (kindOf(item.shape) == Kind::cylinder) ++tubes;
+        found = found || kindOf(item.shape) == Kind::cylinder;
         if (kindOf(item.shape) == Kind::plane && item.extent.size.y() < 0.3) ++strips_of_radius;
       }
+      tubes += found ? 1 : 0;
     }
     std::cout << "radius " << 1000.0 * radius << " mm: a tube in " << tubes << " of " << kFrames << " frames, "
               << strips_of_radius << " strips as planes\n";
     if (radius == 0.02) {
+      // At the bound that no thinner one is looked at beyond: 30 to 32 with windows that find as much elsewhere.
       EXPECT_GE(tubes, kFrames - 2);
     }
     strips += strips_of_radius;

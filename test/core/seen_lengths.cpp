@@ -24,7 +24,7 @@ const Detection* foundAs(const Detection& truth, const Detections& found) {
 
 TEST(SeenLengths, GoNearlyToTheEndsOfCylindersAndCones) {
   std::map<Kind, std::vector<double>> shares;
-  for (std::uint64_t seed = 2500; seed < 2512; ++seed) {
+  for (std::uint64_t seed = 2500; seed < 2548; ++seed) {
     const test::TableFrame table(seed);
     for (const Detection& truth : table.frame.truth.items) {
       const Kind kind = kindOf(truth.shape);
@@ -35,11 +35,13 @@ TEST(SeenLengths, GoNearlyToTheEndsOfCylindersAndCones) {
   }
   for (auto& [kind, of_kind] : shares) {
     SCOPED_TRACE(kindName(kind));
-    ASSERT_GE(of_kind.size(), 8u);
+    ASSERT_GE(of_kind.size(), 40u);
     std::sort(of_kind.begin(), of_kind.end());
     EXPECT_GT(of_kind[of_kind.size() / 2], 0.97);
     EXPECT_GT(of_kind.front(), 0.8);
-    EXPECT_LT(of_kind.back(), 1.2);
+    EXPECT_LT(of_kind[of_kind.size() * 95 / 100], 1.1);
+    // One in a hundred, in 120 tables, takes points of what stands behind it.
+    EXPECT_LT(of_kind.back(), 1.4);
   }
 }
 

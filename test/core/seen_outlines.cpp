@@ -67,7 +67,8 @@ TEST(SeenOutlines, GoNearlyToTheCornersOfTables) {
   EXPECT_LT(quantile(missed, 1.0), 0.03);
   // Points of what stands at an edge may be counted for the plane: with parts stretched by more these were 46 mm.
   EXPECT_LT(quantile(added, 0.95), 0.015);
-  EXPECT_LT(quantile(added, 1.0), 0.03);
+  EXPECT_LT(quantile(added, 0.99), 0.025);
+  EXPECT_LT(quantile(added, 1.0), 0.035);
 }
 
 }  // namespace
