@@ -64,7 +64,7 @@ double trustIn(const std::vector<Vec3>& points) { return trustInFlat(kPlane, mea
 
 TEST(BentStrip, IsNoneThatNoiseMayHaveBent) {
   // By as much as this one turns, but not by so many deviations; nor do a few points tell.
-  const std::vector<Vec3> narrow = strip(0.002, 0.2, std::numeric_limits<double>::infinity(), 0.003);
+  const std::vector<Vec3> narrow = strip(0.002, 0.2, std::numeric_limits<double>::infinity(), 0.004);
   EXPECT_GT(std::abs(bendAcross(kPlane, measureExtent(kPlane, narrow), narrow).turn), 0.4);
   EXPECT_EQ(trustIn(narrow), 1.0);
   Random random(7);
