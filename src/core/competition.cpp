@@ -97,9 +97,8 @@ std::optional<Plane> planeByNormals(const Plane& fitted, const Moments& moments,
 /// At most so many of the set, spread evenly.
 List<std::uint32_t> someOf(const List<std::uint32_t>& set, std::size_t most) {
   if (set.size() <= most) return set;
-  const std::size_t count = most;
-  List<std::uint32_t> some(count);
-  for (std::size_t k = 0; k < count; ++k) some[k] = set[k * set.size() / count];
+  List<std::uint32_t> some(most);
+  for (std::size_t k = 0; k < most; ++k) some[k] = set[k * set.size() / most];
   return some;
 }
 

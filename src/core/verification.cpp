@@ -25,7 +25,7 @@ NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
 
 std::size_t needed(const Params& params) { return static_cast<std::size_t>(params.min_inliers); }
 
-/// The same but for one in twenty samples; both in rising order. With one in ten less of them the same is found.
+/// The same but for one in twenty samples; both in rising order. With one in ten, as much is found.
 bool nearlySame(const List<std::uint32_t>& a, const List<std::uint32_t>& b) {
   constexpr double kLeast = 0.95;
   const double needed = kLeast * static_cast<double>(std::max(a.size(), b.size()));
