@@ -85,7 +85,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   } else if (view_.normals_face_away) {
     status.summary(DiagnosticStatus::WARN, "most normals of the clouds face away from the sensor: set orient_normals");
   } else {
-    status.summary(DiagnosticStatus::OK, "receiving");
+    status.summary(DiagnosticStatus::OK, counters_.frames_in == 0 ? "waiting for the first cloud" : "receiving");
   }
   status.add("frames in", counters_.frames_in);
   for (std::size_t i = 0; i < FrameCounters::kStatusCount; ++i) {

@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Where no cloud comes the log says why: a topic of another type, nobody who publishes it, or a publisher that is
-quiet."""
+quiet. Diagnostics do not claim that any came."""
 import sys
 import unittest
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from primitect.msg import PrimitiveArray
 from ros_helpers import Collector, wait_for
 from rosgraph_msgs.msg import Log
@@ -18,6 +19,7 @@ class Silence(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.log = Collector("/rosout", Log)
+        cls.diagnostics = Collector("/diagnostics", DiagnosticArray)
         cls.image = rospy.Publisher("/image", Image, queue_size=1, latch=True)
         cls.image.publish(Image())
         cls.quiet = rospy.Publisher("/quiet", PointCloud2, queue_size=1)
@@ -44,6 +46,14 @@ class Silence(unittest.TestCase):
     def test_a_publisher_that_never_publishes(self):
         self.assertEqual(self.why("/on_quiet", "/quiet"),
                          "1 could publish it; one that makes it of a depth image needs camera_info, too")
+
+    def test_diagnostics_say_that_the_first_cloud_is_waited_for(self):
+        def told():
+            return [status.message for array in self.diagnostics.all() for status in array.status
+                    if status.name.endswith("on_quiet: input")]
+        self.assertTrue(wait_for(lambda: any(message.startswith("no cloud for") for message in told())))
+        self.assertIn("waiting for the first cloud", told())
+        self.assertNotIn("receiving", told())
 
 
 if __name__ == "__main__":
