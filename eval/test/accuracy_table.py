@@ -121,10 +121,23 @@ def test_recorded_frames_fail_by_a_single_false_alarm_on_a_negative_one():
     figures = {"frames": 4, "recall": {"all": {"found": 100, "labels": 100}}, "false_curved_per_frame": 0.25,
                "false_on_negative_frames": {"board": 0}, "radius_error_mm": {"absolute": None}, "total_ms": None}
     rows = dict(accuracy.frame_rows({1: figures, 2: dict(figures, false_on_negative_frames={"board": 1})}))
-    assert [rows["must labels, seed %d" % seed][-1].value for seed in (1, 2)] == ["yes", "no: 1 on negative"]
+    assert [rows["seed %d" % seed][-1].value for seed in (1, 2)] == ["yes", "no: 1 on negative"]
+    assert rows["must labels, seeds 1, 2"][-1].value == "no: 1 on negative"
     missing = dict(figures, recall={"all": {"found": 90, "labels": 100}}, false_on_negative_frames={"board": 2})
     assert accuracy.frame_rows({1: missing})[1][1][-1].value == "no: R 90, 2 on negative"
     assert accuracy.frame_rows({}) == []
+
+
+def test_recorded_frames_are_judged_over_all_seeds_and_shown_for_each():
+    def figures(found, false):
+        return {"frames": 4, "recall": {"all": {"found": found, "labels": 40}}, "false_curved_per_frame": false,
+                "false_on_negative_frames": {}, "radius_error_mm": {"absolute": {"median": 0.5}}, "total_ms": None}
+    rows = dict(accuracy.frame_rows({1: figures(40, 0.0), 2: figures(38, 0.5), 3: figures(40, 0.25)}))
+    row = dict(zip([name for name, _ in accuracy.COLUMNS], rows["must labels, seeds 1, 2, 3"]))
+    assert (row["clouds"].value, row["false curved"].value) == (12, 0.25)
+    assert abs(row["R"].value - 100.0 * 118 / 120) < 1e-9
+    verdicts = [cells[-1].value for cells in rows.values() if cells]
+    assert verdicts == ["yes", "yes", "no: R 95, false curved 0.5", "yes"]
 
 
 def eval_accuracy(folder, *arguments):
