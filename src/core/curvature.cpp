@@ -22,11 +22,15 @@ bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise)
   constexpr double kLeastBulgeOfDepth = 1.5;
   // Waves that turn so far (63 deg) would have to be higher than they are; a thin tube does not rise farther.
   constexpr double kLargeTurn = 0.05, kLeastBulgeOfLargeTurn = 1.0;
+  // Nor do waves rise so far: what is close up and so large that only an arc of 22 deg is in view is no plane.
+  // Distortion of a sensor would have to bend 1.5 m of a wall by 7 cm.
+  constexpr double kClearTurn = 0.006, kClearBulge = 5.0;
   if (moments.count == 0) return false;
   const Curvature curvature = curvatureOf(moments, sigma);
   const double normal_noise = noise.angle / kNormalDeviations;
   if (!noise.ofDepthCamera()) return curvature.turn > kLeastTurn;
   const double turn = curvature.turn - normal_noise * normal_noise;
+  if (turn > kClearTurn && curvature.bulge > kClearBulge) return true;
   return turn > kLeastTurnOfDepth &&
          curvature.bulge > (turn > kLargeTurn ? kLeastBulgeOfLargeTurn : kLeastBulgeOfDepth);
 }

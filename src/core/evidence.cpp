@@ -11,9 +11,6 @@
 #include "core/selection.h"
 
 namespace primitect {
-namespace {
-
-/// The surface at one sample goes on smoothly at the other: no step, no edge.
 bool continuous(const Samples& samples, std::uint32_t a, std::uint32_t b) {
   constexpr double kLeastCosine = 0.87;  // 30 deg between the normals
   constexpr double kSteepest = 0.45;     // sine of the angle between the way to the other and the surface
@@ -23,6 +20,8 @@ bool continuous(const Samples& samples, std::uint32_t a, std::uint32_t b) {
   const double steepest = kSteepest * way.norm();
   return std::abs(way.dot(normal_a)) < steepest && std::abs(way.dot(normal_b)) < steepest;
 }
+
+namespace {
 
 /// How the surface goes on from a sample of the shape.
 struct Border {

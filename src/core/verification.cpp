@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/evidence.h"
+#include "core/facets.h"
 #include "core/noise_measurement.h"
 #include "core/plane_parts.h"
 
@@ -54,7 +55,9 @@ void Verification::begin(const FrameScale& scale) {
 
 double Verification::radiusBin() const { return params_.radius_bin * scale_.scene_diameter * scale_.radius_stretch; }
 
-Limits Verification::limits() const { return {params_, radiusBin() * params_.radius_bins}; }
+Limits Verification::limits() const {
+  return {params_, std::max(radiusBin() * params_.radius_bins, scale_.view_radius)};
+}
 
 ProposalRules Verification::rules() const {
   // Votes tell a shape to about a bin.
@@ -107,6 +110,7 @@ List<std::uint32_t> Verification::unexplained() {
 void Verification::conclude() {
   constexpr int kRefusals = 4;
   select();
+  joinFacets();
   refit();
   settle();
   for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
@@ -188,6 +192,29 @@ void Verification::split(const Segment& segment, const HeldGains& held) {
     Hypothesis trial = pool_[segment.hypothesis];
     if (bestOfKinds(samples_, held, part, rules(), trial)) join(trial, segment.hypothesis);
   }
+}
+
+/// What is too large for the bins of radii, or for near pairs to turn, is found in facets: the whole competes with them.
+void Verification::joinFacets() {
+  if (!scale_.depth_camera) return;
+  List<std::uint32_t> number(pool_.size(), kOther);
+  std::uint32_t planes = 0;
+  for (const Segment& segment : segments_) {
+    if (kindOf(segment.candidate.shape) == Kind::plane) number[segment.hypothesis] = planes++;
+  }
+  List<std::uint32_t> plane_of(selection_.owner);
+  for (std::uint32_t& owner : plane_of) owner = owner == kNobody ? kNobody : number[owner];
+  const SampleParts groups = facetGroups(samples_, graph_, plane_of, planes);
+  if (groups.empty()) return;
+  const HeldGains held = heldByChosen();
+  const std::size_t before = pool_.size();
+  for (const List<std::uint32_t>& group : groups) {
+    Hypothesis whole;
+    whole.shape = pool_[selection_.owner[group.front()]].shape;
+    const bool curved = bestOfKinds(samples_, held, group, quickRules(), whole) && kindOf(whole.shape) != Kind::plane;
+    if (curved) pool_.push_back(std::move(whole));
+  }
+  if (pool_.size() > before) select();
 }
 
 /// Fits the segment again to its own samples, to all samples near it, and in parts.

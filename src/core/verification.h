@@ -22,6 +22,7 @@ struct FrameScale {
   double scene_diameter = 1.0;  ///< d_s, m
   bool depth_camera = false;    ///< depth along z: its noise grows with it
   double radius_stretch = 1.0;  ///< bins of radii are so many times as wide as params.radius_bin says
+  double view_radius = 0.0;     ///< m; radii may be as large as this, even where the bins end before
 };
 
 /// All hypotheses of a frame and the samples that they are checked on.
@@ -76,6 +77,7 @@ class Verification {
   ProposalRules rules() const;
   ProposalRules quickRules() const;
   void dropLikenesses();
+  void joinFacets();
   void refit();
   void refit(const Segment& segment, const HeldGains& held);
   void join(const Hypothesis& version, std::uint32_t origin);

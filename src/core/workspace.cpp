@@ -184,7 +184,11 @@ void Detector::Workspace::measureScale() {
   // and pairs are far apart, 1 % of small objects are lost with 64.
   constexpr std::size_t kBatchOfDepth = 64, kBatchOfOthers = 256;
   search.setBatch(depth_camera ? kBatchOfDepth : kBatchOfOthers);
-  verification.begin({result.scene_diameter, depth_camera, stretch});
+  // Of a cylinder from so near that its radius is 1.5 times what is seen of it 24 deg are in view: about as little as
+  // its curvature needs to be clear (curvature.h).
+  constexpr double kOfView = 1.5;
+  const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
+  verification.begin({result.scene_diameter, depth_camera, stretch, view_radius});
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {

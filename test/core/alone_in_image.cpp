@@ -62,6 +62,25 @@ TEST(AloneInImage, AWideTubeIsATube) {
   }
 }
 
+/// Pairs near each other turn too little, or the bins of radii end before: they are found in facets.
+TEST(AloneInImage, WhatIsFarLargerThanTheImageIsFoundInFacets) {
+  std::uint64_t seed = 200;
+  for (const double radius : {0.5, 0.7, 1.0}) {
+    for (const double nearest : {0.5, 0.75, 1.0}) {
+      SCOPED_TRACE(testing::Message() << radius << " at " << nearest);
+      const double depth = nearest + radius;
+      const auto ball = Detector{Params()}.detect(imageOf(synthetic::Ball{radius}, depth, 1.0, ++seed));
+      ASSERT_EQ(ball.items.size(), 1u);
+      ASSERT_EQ(kindOf(ball.items[0].shape), Kind::sphere);
+      EXPECT_NEAR(std::get<Sphere>(ball.items[0].shape).radius, radius, 0.01 * radius);
+      const auto drum = Detector{Params()}.detect(imageOf(synthetic::Rod{radius, 1.5 * radius}, depth, 1.0, ++seed));
+      ASSERT_EQ(drum.items.size(), 1u);
+      ASSERT_EQ(kindOf(drum.items[0].shape), Kind::cylinder);
+      EXPECT_NEAR(std::get<Cylinder>(drum.items[0].shape).radius, radius, 0.01 * radius);
+    }
+  }
+}
+
 /// Lengths then do not depend on what is in view.
 TEST(AloneInImage, RadiiReachAsFarAsAGivenSceneDiameterSays) {
   constexpr double kRadius = 0.25;
