@@ -210,26 +210,59 @@ Extent extentOf(const Sphere& sphere, const SeenPoints&, const SeenPoints&, std:
   return extent;
 }
 
-/// Where along point + t * axis the inliers lie, without the outer 1 %.
+/// How far the ends of an axis go.
+enum class Ends { without_stragglers, to_the_end };
+
+/// Where along point + t * axis the inliers lie.
 struct AxisRange {
   double low, high;
 };
 
-AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers) {
+/// How the surface between two heights along an axis grows with them: of a cylinder as their difference, of a cone, from
+/// its apex, as that of their squares.
+enum class Surface { even, tapered };
+
+double areaUpTo(double height, Surface surface) {
+  return surface == Surface::even ? height : height * std::abs(height);
+}
+double heightOf(double area, Surface surface) {
+  return surface == Surface::even ? area : std::copysign(std::sqrt(std::abs(area)), area);
+}
+
+/// The end, from the heights that one and two hundredths of the points lie beyond: there is as much surface once more,
+/// on an end that is cut askew up to three times as much as evenly. What is more are stragglers. all: height of the
+/// other end.
+double endFrom(double one, double two, double all, Surface surface) {
+  constexpr double kMost = 0.03;  // of the surface
+  const double most = kMost * std::abs(areaUpTo(all, surface) - areaUpTo(one, surface));
+  const double more = std::clamp(areaUpTo(one, surface) - areaUpTo(two, surface), -most, most);
+  return heightOf(areaUpTo(one, surface) + more, surface);
+}
+
+AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers, Surface surface,
+                     Ends ends) {
   constexpr double kStragglers = 0.01;
   const Eigen::Vector3f direction = axis.cast<float>();
   float heights[SomePoints<kMostPoints>::kRoom];
   for (std::size_t k = 0; k < inliers.count; ++k) {
     heights[k] = direction.x() * inliers.x[k] + direction.y() * inliers.y[k] + direction.z() * inliers.z[k];
   }
-  float* const end = heights + inliers.count;
-  float* const low = heights + static_cast<std::size_t>(kStragglers * static_cast<double>(inliers.count));
-  float* const high = end - 1 - (low - heights);
+  const auto few = static_cast<std::size_t>(kStragglers * static_cast<double>(inliers.count));
+  float *const end = heights + inliers.count, *const low = heights + few, *const high = end - 1 - few;
   const double origin = (inliers.origin - point).dot(axis);
   std::nth_element(heights, low, end);
-  const double lowest = origin + *low;
+  const double from = origin + *low;
   std::nth_element(low, high, end);
-  return {lowest, origin + *high};
+  const double to = origin + *high;
+  if (ends == Ends::without_stragglers) return {from, to};
+  // Those before `low` and after `high` lie beyond them still.
+  float *const low_two = low + few, *const high_two = high - few;
+  std::nth_element(low, low_two, high + 1);
+  const double from_two = origin + *low_two;
+  std::nth_element(low_two, high_two, high + 1);
+  const double to_two = origin + *high_two;
+  const double lowest = origin + *std::min_element(heights, low + 1), highest = origin + *std::max_element(high, end);
+  return {std::max(lowest, endFrom(from, from_two, to, surface)), std::min(highest, endFrom(to, to_two, from, surface))};
 }
 
 /// x of the frame: from the axis towards the side that was seen.
@@ -237,9 +270,9 @@ Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const 
   return frameAround(axis, meanOf(inliers) - point);
 }
 
-Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&) {
+Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, Ends ends) {
   const SomePoints<kMostPoints> some(inliers);
-  const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some);
+  const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some, Surface::even, ends);
   Extent extent;
   extent.origin = cylinder.point + 0.5 * (range.low + range.high) * cylinder.axis;
   extent.rotation = frameTowardsSeenSide(cylinder.point, cylinder.axis, some);
@@ -248,9 +281,9 @@ Extent extentOf(const Cylinder& cylinder, const SeenPoints& inliers, const SeenP
   return extent;
 }
 
-Extent extentOf(const Cone& cone, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&) {
+Extent extentOf(const Cone& cone, const SeenPoints& inliers, Ends ends) {
   const SomePoints<kMostPoints> some(inliers);
-  AxisRange range = rangeAlong(cone.apex, cone.axis, some);
+  AxisRange range = rangeAlong(cone.apex, cone.axis, some, Surface::tapered, ends);
   range.low = std::max(range.low, 0.0);
   range.high = std::max(range.high, range.low);
   Extent extent;
@@ -260,6 +293,11 @@ Extent extentOf(const Cone& cone, const SeenPoints& inliers, const SeenPoints&, 
   extent.radius = range.high * std::tan(cone.half_angle);
   extent.radius_small = range.low * std::tan(cone.half_angle);
   return extent;
+}
+
+template <class T>
+Extent extentOf(const T& along_axis, const SeenPoints& inliers, const SeenPoints&, std::vector<Vec3>&) {
+  return extentOf(along_axis, inliers, Ends::without_stragglers);
 }
 
 bool pointsUp(const Vec3& axis) {
@@ -279,6 +317,15 @@ Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPo
 
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline) {
   return measureExtent(shape, inliers, {}, std::move(outline));
+}
+
+void measureToTheEnds(const Shape& shape, const SeenPoints& inliers, Extent& extent) {
+  if (inliers.empty()) return;
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
+    extent = extentOf(*cylinder, inliers, Ends::to_the_end);
+  } else if (const Cone* cone = std::get_if<Cone>(&shape)) {
+    extent = extentOf(*cone, inliers, Ends::to_the_end);
+  }
 }
 
 Shape canonical(const Shape& shape) {

@@ -143,6 +143,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.confidence *=
       static_cast<float>(trustInShare(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
+  // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
+  measureToTheEnds(detection.shape, points_, detection.extent);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {

@@ -24,6 +24,12 @@ std::vector<Vec3> pointsOf(const std::vector<SurfacePoint>& points) {
   return result;
 }
 
+Extent toTheEnds(const Shape& shape, const std::vector<Vec3>& points) {
+  Extent extent;
+  measureToTheEnds(shape, points, extent);
+  return extent;
+}
+
 // Float holds 1 m to 1e-7.
 constexpr double kRounding = 2e-7;
 
@@ -91,6 +97,43 @@ TEST(Extent, OfAConeHasTheRadiiOfItsSeenEnds) {
   EXPECT_NEAR(extent.radius, 0.125, 0.003);
   EXPECT_NEAR(extent.radius_small, 0.025, 0.003);
   EXPECT_NEAR(extent.size.z(), 0.2, 0.008);
+}
+
+/// A hundredth of the points of a cone covers a tenth of its length there.
+TEST(Extent, OfAConeGoesToItsTip) {
+  constexpr int kTimes = 10;
+  double tips = 0.0;
+  for (std::uint64_t seed = 1; seed <= kTimes; ++seed) {
+    Random random(seed);
+    const Cone cone = {Vec3(0, -0.1, 1.0), Vec3(0, 1, 0), std::atan(0.5)};
+    std::vector<Vec3> points;
+    for (int k = 0; k < 2000; ++k) {
+      const double height = 0.2 * std::sqrt(random.uniform(0.0, 1.0)), angle = random.uniform(0.0, M_PI);
+      const double radius = 0.5 * height;
+      points.push_back(cone.apex + Vec3(radius * std::cos(angle), height, -radius * std::sin(angle)));
+    }
+    const Extent extent = toTheEnds(cone, points);
+    tips += extent.radius_small / kTimes;
+    EXPECT_NEAR(extent.radius, 0.1, 0.001);
+  }
+  EXPECT_LT(tips, 0.04 * 0.1);
+}
+
+TEST(Extent, OfACylinderGoesToItsEnds) {
+  Random random(43);
+  const Cylinder cylinder = {Vec3(0.1, 0.2, 1.0), Vec3(0, -1, 0), 0.05};
+  const Extent extent = toTheEnds(cylinder, pointsOf(patchOf(cylinder, 3000, 0.02, 0.14, random)));
+  EXPECT_NEAR(extent.size.z(), 0.12, 0.001);  // 1 % of the points to a third, at either end
+  EXPECT_LT((extent.origin - Vec3(0.1, 0.12, 1.0)).norm(), 0.001);
+}
+
+/// A hundredth of the points may be anything's.
+TEST(Extent, ToTheEndsIsHardlyStretchedByStragglers) {
+  Random random(42);
+  const Cylinder cylinder = {Vec3(0, 0, 1), Vec3(0, -1, 0), 0.05};
+  std::vector<Vec3> points = pointsOf(patchOf(cylinder, 1000, -0.05, 0.05, random));
+  for (int k = 0; k < 9; ++k) points.push_back(pointOn(cylinder, 1.0 + 0.1 * k, 0.0).point);
+  EXPECT_LT(toTheEnds(cylinder, points).size.z(), 0.103);
 }
 
 TEST(Extent, IsNotStretchedByAStraggler) {
