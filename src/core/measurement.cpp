@@ -13,6 +13,7 @@
 #include "core/coverage.h"
 #include "core/determination.h"
 #include "core/extent.h"
+#include "core/misfit.h"
 #include "core/observed_part.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
@@ -147,6 +148,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   measureToTheEnds(detection.shape, points_, detection.extent);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
+  if (noise_.ofDepthCamera()) detection.confidence *= static_cast<float>(trustInFit(detection.shape, points_, sigma_));
   if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
     const Plane& plane = std::get<Plane>(detection.shape);
