@@ -59,7 +59,8 @@ List<Cell> cellsOf(const Members& members, std::size_t count) {
   const FloatRange x(members.x, count), y(members.y, count), z(members.z, count);
   const Eigen::Array3f size(x.high - x.low, y.high - y.low, z.high - z.low);
   const float longest = size.maxCoeff(), shortest = size.minCoeff();
-  const float middle = size.sum() - longest - shortest;
+  // Of points on a line it is nothing, but for rounding, which may make it less.
+  const float middle = std::max(0.0f, size.sum() - longest - shortest);
   const float per_edge = 1.0f / std::max({std::sqrt(longest * middle / kCells), longest / kMostAlong, 1e-9f});
   const Eigen::Array3i counts = (size * per_edge).cast<int>() + 1;
   List<Cell> cells(static_cast<std::size_t>(counts.prod()));

@@ -84,5 +84,17 @@ TEST(SharedNoise, IsOneWhereNothingCanBeSaid) {
   }
 }
 
+TEST(SharedNoise, OfPointsOnALineIsMeasuredToo) {
+  // As a row of exact pixels may be: how far they are apart across it is nothing but rounding.
+  const Plane plane = {Vec3(0, 0, 1), Vec3(0.0, -0.6, -0.8)};
+  Random random(1);
+  std::vector<Vec3> points;
+  for (int k = 0; k < 100; ++k) {
+    const Vec3 rounding(0.0, random.uniform(-1e-9, 1e-9), random.uniform(-1e-9, 1e-9));
+    points.push_back(plane.point + Vec3(0.003 * k, 0, 0) + 0.3 * kNoise * plane.normal + rounding);
+  }
+  EXPECT_GE(measureSharedNoise(plane, points, noise), 1.0);  // threw: as many cells as no list holds
+}
+
 }  // namespace
 }  // namespace primitect
