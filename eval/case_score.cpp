@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "eval/cloud_vectors.h"
+#include "eval/faces.h"
 #include "eval/segcomp.h"
 
 namespace primitect::eval {
@@ -51,7 +52,11 @@ std::vector<std::pair<int, int>> takeOptionalPoints(const LabelledCloud& input, 
   return points;
 }
 
-Scored whatCounts(const LabelledCloud& input, std::size_t detections, std::vector<int> found_label, double overlap) {
+/// with: of joinedOnFaces(); what counts with another one does not count by itself.
+Scored whatCounts(const LabelledCloud& input, const std::vector<int>& with, std::vector<int> found_label,
+                  double overlap) {
+  const std::size_t detections = with.size();
+  for (int& d : found_label) d = d >= 0 ? with[d] : d;
   Scored scored;
   scored.truths = shapesThatMustBeFound(input.truth);
   scored.true_label = renumbered(input.surface, scored.truths, input.truth.size());
@@ -60,6 +65,7 @@ Scored whatCounts(const LabelledCloud& input, std::size_t detections, std::vecto
   const Overlaps all = countOverlaps(scored.true_label, scored.truths.size(), found_label, detections);
   for (const auto& [t, d] : segment(all, overlap).correct) correct[d] = true;
   for (std::size_t d = 0; d < detections; ++d) {
+    if (with[d] != static_cast<int>(d)) continue;
     if (correct[d] || points[d].first <= points[d].second) scored.detections.push_back(static_cast<int>(d));
   }
   scored.found_label = renumbered(found_label, scored.detections, detections);
@@ -188,13 +194,17 @@ Counts& Counts::operator+=(const Counts& other) {
 CaseScore scoreCase(const LabelledCloud& input, const std::vector<Shape>& found) {
   CaseScore score;
   const std::vector<int> labels = assign(input.scored, found, input.rules);
-  const Scored scored = whatCounts(input, found.size(), labels, input.rules.overlap);
+  const std::vector<int> with = joinedOnFaces(input, found, labels);
+  const Scored scored = whatCounts(input, with, labels, input.rules.overlap);
   std::vector<Shape> true_shapes, kept;
   for (const int t : scored.truths) true_shapes.push_back(input.truth[t].shape);
   for (const int d : scored.detections) kept.push_back(found[d]);
   score.verdicts.assign(found.size(), Verdict::no_matter);
   score.true_shape.assign(found.size(), kNoShape);
   countInstances(input, scored, true_shapes, kept, score);
+  for (std::size_t d = 0; d < found.size(); ++d) {
+    score.verdicts[d] = score.verdicts[with[d]], score.true_shape[d] = score.true_shape[with[d]];
+  }
   score.lies_on = kindsBelow(input, labels, found.size());
   score.false_curved = countFalseCurved(input, found, score.verdicts);
   const Distances distances = measureDistances(measuredPoints(input), found, labels);

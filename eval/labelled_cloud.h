@@ -38,6 +38,9 @@ struct LabelledCloud {
   /// four kinds. Shapes have no end, so they run through such surfaces too: their points are nobody's, but a detection
   /// of nothing else is noise.
   std::vector<int> surface;
+  /// Number of the face of each scored point whose true shape stands for several (TrueShape::exact), kNoShape for all
+  /// others. Empty: no shape does.
+  std::vector<int> face;
   double unit = 1.0;  ///< m, DOD is given in multiples of it: the noise, or 1 mm for depth frames
   Rules rules;        ///< how results on it are scored
 };

@@ -34,7 +34,8 @@ std::uint32_t leastPixels(const Recipe& recipe) {
 }
 
 /// Shapes are scored as if they had no end. Two faces in one plane, like the tops of two boxes of the same height, are
-/// therefore one true shape. Index of the plane that the item lies in, or the number of shapes.
+/// therefore one true shape. One detection of each, where they can be told apart, counts like one of both (faces.h).
+/// Index of the plane that the item lies in, or the number of shapes.
 std::size_t indexOfSamePlane(const Detection& item, const std::vector<TrueShape>& truth) {
   constexpr double kApart = 0.004;               // m, twice the noise of the depth at 1 m
   constexpr double kLeastCosine = 1.0 - 1.5e-4;  // 1 deg
@@ -53,6 +54,14 @@ bool isSame(const Detection& item, const Shape& shape) {
   const Extent& extent = item.extent;
   return std::all_of(extent.hull.begin(), extent.hull.end(),
                      [&](const Vec3& corner) { return std::abs(distance(shape, corner)) < kFarther; });
+}
+
+void labelFaces(const Frame& frame, LabelledCloud& result) {
+  result.face.assign(frame.surface.size(), kNoShape);
+  for (std::size_t i = 0; i < frame.surface.size(); ++i) {
+    const int t = result.surface[i];
+    if (t >= 0 && !result.truth[t].exact) result.face[i] = frame.surface[i];
+  }
 }
 
 /// The truth in order of its surfaces, also of those that need not be found; surfaces get its index as label.
@@ -82,6 +91,7 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
   for (std::size_t i = 0; i < frame.surface.size(); ++i) {
     if (result.cloud.valid(i) && frame.surface[i] != kNoSurface) result.surface[i] = label[frame.surface[i]];
   }
+  labelFaces(frame, result);
 }
 
 /// Of each true shape the share of its pixels whose neighbours two steps around are its own, too.

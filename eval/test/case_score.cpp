@@ -68,6 +68,49 @@ TEST(CaseScore, GivesDodInTheUnitOfTheCloud) {
   EXPECT_NEAR(score.errors[0].position.at(0), 0.02, 1e-7);
 }
 
+/// The first of two true shapes is that of two shelves that are a millimetre apart in height.
+LabelledCloud nearlyOneShelf() {
+  LabelledCloud input = shelves(3);
+  for (std::size_t i = 10; i < 20; ++i) input.scored.x[i] += 9.0f, input.scored.z[i] = 1.001f;
+  input.truth[0].exact = false;
+  input.face = labels({{0, 10}, {1, 10}, {kNoShape, 10}});
+  input.surface = labels({{0, 20}, {2, 10}});
+  input.truth[1].must = false;
+  return input;
+}
+
+TEST(CaseScore, CountsOneForBothFacesOfAShapeLikeOneForEach) {
+  const CaseScore both = scoreCase(nearlyOneShelf(), {shelf(1.0005), shelf(3)});
+  const CaseScore each = scoreCase(nearlyOneShelf(), {shelf(1), shelf(1.001), shelf(3)});
+  for (const CaseScore& score : {both, each}) {
+    EXPECT_EQ(score.all.truths, 2);
+    EXPECT_EQ(score.all.found, 2);
+    EXPECT_EQ(score.all.typed_correct, 2);
+    EXPECT_EQ(score.all.over_segmented + score.all.noise, 0);
+  }
+  EXPECT_EQ(each.verdicts, std::vector<Verdict>(3, Verdict::right));
+  EXPECT_EQ(each.true_shape, (std::vector<int>{0, 0, 2}));
+}
+
+TEST(CaseScore, CountsASecondDetectionOfOneFaceAsWrong) {
+  LabelledCloud input = nearlyOneShelf();
+  for (std::size_t i = 0; i < 5; ++i) input.scored.z[i] = 0.999f;  // a step within the first
+  const CaseScore score = scoreCase(input, {shelf(0.999), shelf(1.0005), shelf(3)});
+  EXPECT_EQ(score.all.found, 3);
+  EXPECT_EQ(score.all.typed_correct, 2);
+}
+
+TEST(CaseScore, KeepsADetectionThatOnlyPassesThroughAFaceForItsOwnShape) {
+  // Where nothing lies on a face, what is nearest has its points.
+  LabelledCloud input = nearlyOneShelf();
+  input.rules.max_distance = 3.0;
+  for (std::size_t i = 10; i < 14; ++i) input.surface[i] = input.face[i] = kNoShape;
+  for (std::size_t i = 14; i < 20; ++i) input.scored.z[i] = 2.5f;
+  const CaseScore score = scoreCase(input, {shelf(1), shelf(3)});
+  EXPECT_EQ(score.all.found, 2);
+  EXPECT_EQ(score.true_shape, (std::vector<int>{0, 2}));
+}
+
 TEST(CaseScore, TakesItsRulesFromTheCloud) {
   LabelledCloud input = shelves(1);
   input.rules.max_distance = 0.01;
