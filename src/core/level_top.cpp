@@ -11,135 +11,166 @@
 namespace primitect {
 namespace {
 
-/// A grid over the plane with a few points in each cell.
-class Grid {
- public:
-  Grid(const Cloud& cloud, const Plane& plane, const List<std::uint32_t>& points) {
-    constexpr double kPointsPerCell = 4.0;
-    constexpr int kFewest = 4, kMost = 32;
-    cells_ =
-        std::clamp(static_cast<int>(std::sqrt(static_cast<double>(points.size()) / kPointsPerCell)), kFewest, kMost);
-    const Vec3 across = plane.normal.unitOrthogonal(), down = plane.normal.cross(across);
-    List<Eigen::Vector2d> places;
-    places.reserve(points.size());
-    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const std::uint32_t i : points) {
-      const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
-      places.emplace_back(across.dot(point), down.dot(point));
-      low = low.cwiseMin(places.back()), high = high.cwiseMax(places.back());
-    }
-    const Eigen::Vector2d per_meter = static_cast<double>(cells_) / (high - low).array().max(1e-6);
-    cell_of_.reserve(points.size());
-    for (const Eigen::Vector2d& place : places) {
-      const auto line = [this](double value) { return std::clamp(static_cast<int>(value), 0, cells_ - 1); };
-      const Eigen::Vector2d at = (place - low).cwiseProduct(per_meter);
-      cell_of_.push_back(line(at.y()) * cells_ + line(at.x()));
-    }
-  }
+constexpr int kEmpty = -2, kWaiting = -1;  // in place of the number of a piece
 
-  /// Number of the piece of each point; cells that touch, at a corner too, are one piece. Returns how many there are.
-  int findPieces(List<int>& piece_of_point) const {
-    constexpr int kEmpty = -2, kWaiting = -1;
-    List<int> piece(static_cast<std::size_t>(cells_) * cells_, kEmpty);
-    for (const int cell : cell_of_) piece[cell] = kWaiting;
-    int count = 0;
-    List<int> front;
-    for (const int first : cell_of_) {
-      if (piece[first] != kWaiting) continue;
-      piece[first] = count;
-      front.assign(1, first);
-      while (!front.empty()) {
-        const int cell = front.back(), row = cell / cells_, column = cell % cells_;
-        front.pop_back();
-        for (int r = std::max(0, row - 1); r <= std::min(cells_ - 1, row + 1); ++r) {
-          for (int c = std::max(0, column - 1); c <= std::min(cells_ - 1, column + 1); ++c) {
-            if (piece[r * cells_ + c] != kWaiting) continue;
-            piece[r * cells_ + c] = count;
-            front.push_back(r * cells_ + c);
-          }
-        }
-      }
-      ++count;
-    }
-    piece_of_point.clear();
-    for (const int cell : cell_of_) piece_of_point.push_back(piece[cell]);
-    return count;
-  }
-
- private:
-  int cells_;
-  List<int> cell_of_;
-};
-
-struct Piece {
-  List<std::uint32_t> points;
-  Vec3 mean = Vec3::Zero();
-};
+Vec3 pointOf(const Cloud& cloud, std::uint32_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
 
 /// How badly a plane fits: squares of the distances in standard deviations; what is far off counts as three of these.
-double misfit(const Cloud& cloud, const Piece& piece, const Vec3& normal, const Vec3& through,
-              const PointNoise& sigma) {
+double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma) {
   constexpr double kMost = 9.0;
   double sum = 0.0;
-  for (const std::uint32_t i : piece.points) {
-    const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
-    const double away = normal.dot(point - through) / sigma(point);
+  for (const std::uint32_t i : points) {
+    const Vec3 point = pointOf(cloud, i);
+    const double away = distance(plane, point) / sigma(point);
     sum += std::min(away * away, kMost);
   }
   return sum;
 }
 
+/// What it is in the mean where a depth camera sees a face with this normal: it errs along its rays, or rather in z.
+double misfitByNoise(const Cloud& cloud, const List<std::uint32_t>& points, const Vec3& normal) {
+  double sum = 0.0;
+  for (const std::uint32_t i : points) {
+    const double across = normal.dot(pointOf(cloud, i)) / cloud.z[i];
+    sum += across * across;
+  }
+  return sum;
+}
+
 /// More than chance makes of it, and than the waves of a depth camera do.
-double margin(const Piece& piece) {
+double margin(const List<std::uint32_t>& points) {
   constexpr double kSure = 15.0, kWaves = 0.03;
-  return std::max(kSure, kWaves * static_cast<double>(piece.points.size()));
-}
-
-List<Piece> piecesOf(const Cloud& cloud, const Plane& plane, const List<std::uint32_t>& points) {
-  List<int> number;
-  List<Piece> pieces(Grid(cloud, plane, points).findPieces(number));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::uint32_t i = points[k];
-    pieces[number[k]].points.push_back(i);
-    pieces[number[k]].mean += Vec3(cloud.x[i], cloud.y[i], cloud.z[i]);
-  }
-  for (Piece& piece : pieces) piece.mean /= static_cast<double>(piece.points.size());
-  return pieces;
-}
-
-/// With the most points that lie level.
-const Piece& mainPiece(const Cloud& cloud, const List<Piece>& pieces, const Vec3& level, const PointNoise& sigma) {
-  const Piece* best = &pieces.front();
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Piece& piece : pieces) {
-    const double agreed =
-        static_cast<double>(piece.points.size()) - 0.5 * misfit(cloud, piece, level, piece.mean, sigma);
-    if (!(agreed > most)) continue;
-    most = agreed;
-    best = &piece;
-  }
-  return *best;
+  return std::max(kSure, kWaves * static_cast<double>(points.size()));
 }
 
 }  // namespace
 
-List<std::uint32_t> levelTop(const Cloud& cloud, const Plane& plane, const Vec3& level, const PointNoise& sigma,
-                             const List<std::uint32_t>& points) {
-  constexpr double kMostTilt = 0.1;  // rad: steeper ones are no tops
-  if (points.empty() || plane.normal.cross(level).norm() > kMostTilt) return points;
-  const List<Piece> pieces = piecesOf(cloud, plane, points);
-  if (pieces.size() < 2) return points;
-  const Piece& main = mainPiece(cloud, pieces, level, sigma);
-  const double as_found = misfit(cloud, main, plane.normal, plane.point, sigma);
-  if (misfit(cloud, main, level, main.mean, sigma) > as_found + margin(main)) return points;
-  List<std::uint32_t> kept;
-  for (const Piece& piece : pieces) {
-    const double at_its_height = misfit(cloud, piece, level, main.mean, sigma);
-    if (at_its_height > misfit(cloud, piece, level, piece.mean, sigma) + margin(piece)) continue;
-    kept.insert(kept.end(), piece.points.begin(), piece.points.end());
+LevelTops::Grid::Grid(const Cloud& cloud, const Plane& plane, const List<std::uint32_t>& points)
+    : across(plane.normal.unitOrthogonal()), down(plane.normal.cross(across)) {
+  constexpr double kPointsPerCell = 4.0;
+  constexpr int kFewest = 4, kMost = 32;
+  cells = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(points.size()) / kPointsPerCell)), kFewest, kMost);
+  low.setConstant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  for (const std::uint32_t i : points) {
+    const Vec3 point = pointOf(cloud, i);
+    const Eigen::Vector2d place(across.dot(point), down.dot(point));
+    low = low.cwiseMin(place), high = high.cwiseMax(place);
   }
-  std::sort(kept.begin(), kept.end());
-  return kept;
+  per_meter = static_cast<double>(cells) / (high - low).array().max(1e-6);
+}
+
+int LevelTops::Grid::cellAt(const Vec3& point) const {
+  const Eigen::Vector2d place(across.dot(point), down.dot(point));
+  const Eigen::Array2i at = (place - low).cwiseProduct(per_meter).cast<int>().array().max(0).min(cells - 1);
+  return at.y() * cells + at.x();
+}
+
+/// Itself, too.
+template <class Use>
+void LevelTops::forCellsAround(int cell, const Use& use) const {
+  const int row = cell / grid_.cells, column = cell % grid_.cells, last = grid_.cells - 1;
+  for (int r = std::max(0, row - 1); r <= std::min(last, row + 1); ++r) {
+    for (int c = std::max(0, column - 1); c <= std::min(last, column + 1); ++c) use(r * grid_.cells + c);
+  }
+}
+
+/// Cells that touch, at a corner too, are one piece.
+void LevelTops::findPieces(const Cloud& cloud, const List<std::uint32_t>& points) {
+  List<int> cell_of;
+  cell_of.reserve(points.size());
+  piece_of_cell_.assign(static_cast<std::size_t>(grid_.cells) * grid_.cells, kEmpty);
+  for (const std::uint32_t i : points) {
+    cell_of.push_back(grid_.cellAt(pointOf(cloud, i)));
+    piece_of_cell_[cell_of.back()] = kWaiting;
+  }
+  int count = 0;
+  List<int> front;
+  for (const int first : cell_of) {
+    if (piece_of_cell_[first] != kWaiting) continue;
+    piece_of_cell_[first] = count;
+    front.assign(1, first);
+    while (!front.empty()) {
+      const int cell = front.back();
+      front.pop_back();
+      forCellsAround(cell, [&](int other) {
+        if (piece_of_cell_[other] != kWaiting) return;
+        piece_of_cell_[other] = count;
+        front.push_back(other);
+      });
+    }
+    ++count;
+  }
+  pieces_.resize(count);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    Piece& piece = pieces_[piece_of_cell_[cell_of[k]]];
+    piece.points.push_back(points[k]);
+    piece.mean += pointOf(cloud, points[k]);
+  }
+  for (Piece& piece : pieces_) piece.mean /= static_cast<double>(piece.points.size());
+}
+
+/// Of no top yet, with the most points that lie level; of pieces whose misfit is less than so many times what noise
+/// makes of a face, null where there is none.
+const LevelTops::Piece* LevelTops::mostLevel(const Cloud& cloud, const Vec3& level, const PointNoise& sigma,
+                                             double most_uneven) const {
+  const Piece* best = nullptr;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Piece& piece : pieces_) {
+    if (piece.top != kNone) continue;
+    const double uneven = misfit(cloud, piece.points, {piece.mean, level}, sigma);
+    const double agreed = static_cast<double>(piece.points.size()) - 0.5 * uneven;
+    if (!(agreed > most) || !(uneven < most_uneven * misfitByNoise(cloud, piece.points, level))) continue;
+    most = agreed;
+    best = &piece;
+  }
+  return best;
+}
+
+/// Of all pieces of no top yet that lie at this height.
+void LevelTops::gatherTop(const Cloud& cloud, const Plane& at, const PointNoise& sigma) {
+  Top top = {at, 0};
+  Vec3 sum = Vec3::Zero();
+  for (Piece& piece : pieces_) {
+    if (piece.top != kNone) continue;
+    const double at_its_own = misfit(cloud, piece.points, {piece.mean, at.normal}, sigma);
+    if (misfit(cloud, piece.points, at, sigma) > at_its_own + margin(piece.points)) continue;
+    piece.top = static_cast<int>(tops_.size());
+    top.count += piece.points.size();
+    sum += static_cast<double>(piece.points.size()) * piece.mean;
+  }
+  top.plane.point = sum / static_cast<double>(top.count);
+  tops_.push_back(top);
+}
+
+LevelTops::LevelTops(const Cloud& cloud, const Plane& plane, const Vec3& level, const PointNoise& sigma,
+                     const List<std::uint32_t>& points)
+    : grid_(cloud, plane, points) {
+  constexpr double kMostTilt = 0.1;  // rad: steeper ones are no tops
+  if (points.empty() || plane.normal.cross(level).norm() > kMostTilt) return;
+  findPieces(cloud, points);
+  if (pieces_.size() < 2) return;
+  const Vec3 up = plane.normal.dot(level) < 0.0 ? Vec3(-level) : level;
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const Piece& main = *mostLevel(cloud, up, sigma, kAny);
+  const double as_found = misfit(cloud, main.points, plane, sigma);
+  const double uneven = misfit(cloud, main.points, {main.mean, up}, sigma);
+  if (uneven > as_found + margin(main.points)) return;
+  gatherTop(cloud, {main.mean, up}, sigma);
+  // The upper side of a ring, cut off by what is allowed around the plane, has 1.6 to 1.9 times as much as noise, faces
+  // up to 1.5 times.
+  constexpr double kAsEven = 1.6;
+  const double most_uneven = kAsEven * std::max(1.0, uneven / misfitByNoise(cloud, main.points, up));
+  while (const Piece* next = mostLevel(cloud, up, sigma, most_uneven)) gatherTop(cloud, {next->mean, up}, sigma);
+  if (tops_.front().count == points.size()) tops_.clear();
+}
+
+/// Those that were given leave some cells at its border empty.
+int LevelTops::topAt(const Vec3& point) const {
+  const int cell = grid_.cellAt(point);
+  int piece = piece_of_cell_[cell];
+  if (piece == kEmpty) forCellsAround(cell, [&](int other) { piece = std::max(piece, piece_of_cell_[other]); });
+  return piece == kEmpty ? kNone : pieces_[piece].top;
 }
 
 }  // namespace primitect

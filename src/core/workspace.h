@@ -9,6 +9,7 @@
 #include "core/arrangement.h"
 #include "core/frame_memory.h"
 #include "core/labeling.h"
+#include "core/level_top.h"
 #include "core/measurement.h"
 #include "core/normals.h"
 #include "core/pair_voting.h"
@@ -87,11 +88,14 @@ struct Detector::Workspace {
 
   void thin(const Cloud& whole);
   void findPoints(const Cloud& whole);
+  void gatherPoints(const List<LabelRun>& runs);
   List<std::size_t> countPoints(const List<LabelRun>& runs) const;
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
   Vec3 stretchOf(const Detection& item) const;
   void labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs);
-  void keepToTops();
+  void takeTopsApart(const Cloud& whole, List<LabelRun>& runs);
+  void giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
+  std::uint32_t labelOfTop(const Plane& plane, std::size_t of);
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 

@@ -34,74 +34,110 @@ class Tops {
     return points_.size();
   }
 
-  /// Points left of a plane through two places at these heights.
-  List<std::uint32_t> under(double x, double height, double other_x, double other_height) const {
+  /// The tops that a plane through two places at these heights is taken apart to.
+  LevelTops under(double x, double height, double other_x, double other_height) const {
     const double tilt = (other_height - height) / (other_x - x);
     const Plane plane = {Vec3(x, 0.0, 1.0 - height), Vec3(-tilt, 0.0, -1.0).normalized()};
     const Cloud cloud = test::cloudOf(points_);
     List<std::uint32_t> all(cloud.size());
     std::iota(all.begin(), all.end(), 0u);
-    return levelTop(
+    return LevelTops(
         cloud, plane, kUp, [](const Vec3&) { return kSigma; }, all);
   }
+
+  /// The top that the point is a part of.
+  int topOf(std::size_t point, const LevelTops& tops) const { return tops.topAt(points_[point].point); }
 
  private:
   std::vector<test::SurfacePoint> points_;
   Random random_{1};
 };
 
-TEST(LevelTop, IsTheLargerOneWhereAPlaneLeadsOverTwo) {
-  Tops tops;
-  const std::size_t first = tops.add(0.0, 0.0, 30);
-  tops.add(0.4, 0.008, 20);
-  const List<std::uint32_t> left = tops.under(0.05, 0.0, 0.45, 0.008);
-  ASSERT_EQ(left.size(), first);
-  EXPECT_EQ(left.front(), 0u);
-  EXPECT_EQ(left.back(), first - 1);
+TEST(LevelTops, AreTwoWhereAPlaneLeadsOverTwoTheLargerOneFirst) {
+  Tops things;
+  const std::size_t first = things.add(0.0, 0.0, 20), all = things.add(0.4, 0.008, 30);
+  const LevelTops tops = things.under(0.05, 0.0, 0.45, 0.008);
+  ASSERT_EQ(tops.tops().size(), 2u);
+  EXPECT_EQ(tops.tops()[0].count, all - first);
+  EXPECT_EQ(tops.tops()[1].count, first);
+  for (const std::size_t k : {0, 1}) {
+    EXPECT_NEAR(tops.tops()[k].plane.point.z(), k == 0 ? 1.0 - 0.008 : 1.0, 5.0 * kSigma / 20.0);
+    EXPECT_EQ(tops.tops()[k].plane.normal, kUp);
+  }
+  for (std::size_t i = 0; i < all; ++i) EXPECT_EQ(things.topOf(i, tops), i < first ? 1 : 0) << i;
 }
 
-TEST(LevelTop, IsTheLevelOneBesideALargerPieceOfClutter) {
-  Tops tops;
-  const std::size_t clutter = tops.add(0.0, -0.02, 30, 0.2);
-  const std::size_t all = tops.add(0.4, 0.008, 27);
-  const List<std::uint32_t> left = tops.under(0.05, -0.01, 0.45, 0.008);
-  ASSERT_EQ(left.size(), all - clutter);
-  EXPECT_EQ(left.front(), clutter);
+TEST(LevelTops, AreToldApartByAMillimeterWhichIsHalfTheNoise) {
+  Tops things;
+  things.add(0.0, 0.0, 30);
+  things.add(0.4, 0.001, 20);
+  EXPECT_EQ(things.under(0.05, 0.0, 0.45, 0.001).tops().size(), 2u);
 }
 
-TEST(LevelTop, HoldsAllPiecesOfOneHeight) {
-  Tops tops;
-  tops.add(0.0, 0.0, 30);
-  const std::size_t two = tops.add(0.4, 0.0, 20);
-  tops.add(0.8, 0.008, 20);
-  EXPECT_EQ(tops.under(0.05, 0.0, 0.85, 0.008).size(), two);
+TEST(LevelTops, HoldPointsBetweenThoseThatWereGiven) {
+  Tops things;
+  things.add(0.0, 0.0, 30);
+  things.add(0.4, 0.008, 20);
+  const LevelTops tops = things.under(0.05, 0.0, 0.45, 0.008);
+  EXPECT_EQ(tops.topAt({0.0513, 0.0502, 1.0}), 0);
+  EXPECT_EQ(tops.topAt({0.4513, 0.0502, 0.992}), 1);
+  EXPECT_EQ(tops.topAt({0.25, 0.05, 0.996}), LevelTops::kNone);
 }
 
-TEST(LevelTop, IsAllOfAPlaneThatReallyIsTilted) {
+TEST(LevelTops, AreTheLevelOneBesideALargerPieceOfClutter) {
+  Tops things;
+  const std::size_t clutter = things.add(0.0, -0.02, 30, 0.2);
+  const std::size_t all = things.add(0.4, 0.008, 27);
+  const LevelTops tops = things.under(0.05, -0.01, 0.45, 0.008);
+  ASSERT_EQ(tops.tops().size(), 1u);
+  EXPECT_EQ(tops.tops()[0].count, all - clutter);
+  EXPECT_EQ(things.topOf(0, tops), LevelTops::kNone);
+}
+
+TEST(LevelTops, AreNotOfThePartOfAClutteredSurfaceThatPassesThroughThePlane) {
+  // As much as a plane takes from a slope that meets it: spread over what is allowed, not around one height.
+  Tops things;
+  const std::size_t first = things.add(0.0, 0.0, 30);
+  things.add(0.4, 0.005, 20, 0.06);
+  const LevelTops tops = things.under(0.05, 0.0, 0.45, 0.008);
+  ASSERT_EQ(tops.tops().size(), 1u);
+  EXPECT_EQ(tops.tops()[0].count, first);
+}
+
+TEST(LevelTops, HoldAllPiecesOfOneHeight) {
+  Tops things;
+  things.add(0.0, 0.0, 30);
+  const std::size_t two = things.add(0.4, 0.0, 20);
+  things.add(0.8, 0.008, 20);
+  const LevelTops tops = things.under(0.05, 0.0, 0.85, 0.008);
+  ASSERT_EQ(tops.tops().size(), 2u);
+  EXPECT_EQ(tops.tops()[0].count, two);
+}
+
+TEST(LevelTops, AreNoneOfAPlaneThatReallyIsTilted) {
   constexpr double kTilt = 0.05;
-  Tops tops;
-  tops.add(0.0, 0.0, 30, kTilt);
-  const std::size_t all = tops.add(0.4, 0.0, 20, kTilt);
-  EXPECT_EQ(tops.under(0.0, 0.0, 0.4, 0.4 * kTilt).size(), all);
+  Tops things;
+  things.add(0.0, 0.0, 30, kTilt);
+  things.add(0.4, 0.0, 20, kTilt);
+  EXPECT_TRUE(things.under(0.0, 0.0, 0.4, 0.4 * kTilt).tops().empty());
 }
 
-TEST(LevelTop, IsAllOfAFaceTooSteepForATop) {
+TEST(LevelTops, AreNoneOfAFaceTooSteepForATop) {
   for (const double slope : {0.08, 0.12}) {
-    Tops tops;
-    tops.add(0.0, 0.0, 30);
-    const std::size_t all = tops.add(0.4, 0.4 * slope, 20);
-    const std::size_t left = tops.under(0.05, 0.0, 0.45, 0.4 * slope).size();
-    EXPECT_EQ(left == all, slope > 0.1) << slope;
+    Tops things;
+    things.add(0.0, 0.0, 30);
+    things.add(0.4, 0.4 * slope, 20);
+    EXPECT_EQ(things.under(0.05, 0.0, 0.45, 0.4 * slope).tops().empty(), slope > 0.1) << slope;
   }
 }
 
-TEST(LevelTop, IsAllOfASinglePieceHoweverItLies) {
-  Tops tops;
-  const std::size_t all = tops.add(0.0, 0.0, 30);
-  EXPECT_EQ(tops.under(0.0, 0.0, 0.1, 0.01).size(), all);
+TEST(LevelTops, AreNoneOfASinglePieceHoweverItLies) {
+  Tops things;
+  things.add(0.0, 0.0, 30);
+  EXPECT_TRUE(things.under(0.0, 0.0, 0.1, 0.01).tops().empty());
 }
 
-TEST(LevelTop, OfNothingIsNothing) { EXPECT_TRUE(Tops().under(0.0, 0.0, 0.1, 0.01).empty()); }
+TEST(LevelTops, AreNoneOfNothing) { EXPECT_TRUE(Tops().under(0.0, 0.0, 0.1, 0.01).tops().empty()); }
 
 }  // namespace
 }  // namespace primitect
