@@ -70,6 +70,11 @@ struct Detector::Workspace {
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& whole);
 
+  // Between labels and measures: workspace_tops.cpp.
+
+  /// A plane for every height, where one leads over several tops.
+  void takeTopsApart(const Cloud& whole, List<LabelRun>& runs);
+
   // What these are made of.
 
   bool bringsNormals(const Cloud& cloud) const;
@@ -93,9 +98,8 @@ struct Detector::Workspace {
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
   Vec3 stretchOf(const Detection& item) const;
   void labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs);
-  void takeTopsApart(const Cloud& whole, List<LabelRun>& runs);
   void giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
-  std::uint32_t labelOfTop(const Plane& plane, std::size_t of);
+  std::uint32_t addTop(const Plane& plane, std::size_t of);
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Planes that lead over the tops of several things, taken apart by the points of the cloud; see workspace.h.
+#include <optional>
+#include <utility>
+
+#include "core/far_sides.h"
+#include "core/workspace.h"
+
+namespace primitect {
+
+/// A detection of a top that was taken from the plane of another one. Returns its label.
+std::uint32_t Detector::Workspace::addTop(const Plane& plane, std::size_t of) {
+  Detection& item = result.items[of];
+  std::vector<Vec3> outline;
+  std::swap(outline, item.extent.hull);  // a copy would not be the frame's
+  Detection top = item;
+  std::swap(outline, item.extent.hull);
+  top.shape = plane;
+  top.extent.hull = spare_outlines.take(Kind::plane);
+  result.items.push_back(std::move(top));
+  kept.push_back(true);
+  far_sides.push_back(false);
+  return static_cast<std::uint32_t>(result.items.size());
+}
+
+/// The first keeps the label of the plane that led over all; another that has enough points gets one of its own. What
+/// is left near them is no part of anything.
+void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole,
+                                     const List<LabelRun>& runs) {
+  const auto before = static_cast<std::uint32_t>(of + 1);
+  const std::size_t least = fewestPoints(Kind::plane, whole), all = points[of].all, seen = points[of].index.size();
+  List<std::uint32_t> label_of(1, before);
+  for (std::size_t k = 1; k < tops.tops().size(); ++k) {
+    const LevelTops::Top& top = tops.tops()[k];
+    label_of.push_back(all * top.count >= least * seen ? addTop(top.plane, of) : kFarSide);
+  }
+  const Cloud& cloud = thinned.cloud();
+  for (const LabelRun& run : runs) {
+    if (run.label != before) continue;
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
+      const int top = tops.topAt({cloud.x[i], cloud.y[i], cloud.z[i]});
+      labels[i] = top == LevelTops::kNone ? kFarSide : label_of[top];
+    }
+  }
+}
+
+/// Small planes that lead over the tops of several things. Where their heights differ by 1 or 2 mm, too little for the
+/// samples to tell, all but one were not reported at all; the plane was tilted by up to 1.5 deg before they were told
+/// apart.
+void Detector::Workspace::takeTopsApart(const Cloud& whole, List<LabelRun>& runs) {
+  if (!depth_camera) return;
+  const PointNoise sigma(verification.noise());
+  bool any = false;
+  std::size_t next = 0;
+  for (const Segment& segment : verification.segments()) {
+    if (!isDescribed(segment)) continue;
+    const std::size_t of = next++;
+    const bool small = kindOf(segment.candidate.shape) == Kind::plane && !verification.isLargePlane(segment);
+    const std::optional<Vec3> level = small ? verification.levelOf(segment) : std::nullopt;
+    if (!level) continue;
+    const Plane& plane = std::get<Plane>(segment.candidate.shape);
+    const LevelTops tops(thinned.cloud(), plane, *level, sigma, points[of].index);
+    if (tops.tops().empty()) continue;
+    giveToTops(tops, of, whole, runs);
+    any = true;
+  }
+  if (!any) return;
+  runs = labelRuns(labels);
+  gatherPoints(runs);
+}
+
+}  // namespace primitect
