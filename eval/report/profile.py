@@ -31,7 +31,7 @@ STEPS = (
     Step("look closer", "parts that nothing explains", ("Verification::unexplained",)),
     Step("measure", "labels of the cloud's points", ("Labeling::label",)),
     Step("measure", "points on far sides", ("markFarSides",)),
-    Step("measure", "points of each shape, clear ones", ("pointsOfLabels", "ClearPoints::", "levelTop")),
+    Step("measure", "points of each shape, clear ones", ("pointsOfLabels", "ClearPoints::", "LevelTops")),
     Step("measure", "last fit", ("Measurement::fitted",)),
     Step("measure", "extent, outline", ("measureExtent",)),
     Step("measure", "coverage", ("measureCoverage",)),
