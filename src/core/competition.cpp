@@ -160,7 +160,7 @@ class Fits {
   std::optional<bool> fit(const Start& start) {
     // Two steps with the tolerance that gathered the samples, so that a poor start is not left where it is; the last
     // one is far below what few samples can tell. More than six find nothing else.
-    constexpr double kSmallStep = 0.02;  // of the noise
+    constexpr double kSmallStep = 0.06;  // of the noise
     const std::optional<Shape> shape =
         refine(start.shape, points_, {rules_.widen, 2, 6, kSmallStep / kInlierDeviations});
     if (!shape) return std::nullopt;
