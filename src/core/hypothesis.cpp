@@ -27,9 +27,9 @@ struct EveryBlock {
   NearGains& near;
 
   float* operator()() const {
-    const std::size_t kept = near.blocks.size() * SampleBlocks::kSize;
-    near.gains.resize(kept + SampleBlocks::kSize);
-    return near.gains.data() + kept;
+    const std::size_t kept = near.blocks.size();
+    near.gains.resize(kept + 1);
+    return near.gains[kept].of;
   }
 };
 
@@ -112,17 +112,14 @@ void score(const Samples& samples, const HeldGains& held, double widen, Hypothes
 
 void score(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis, NearGains& near) {
   near.blocks.clear();
+  near.gains.reserve(samples.blocks.size());
   scoreWith(samples, held, widen, hypothesis, EveryBlock{near},
             [&near](const SampleBlock& block, const float*) { near.blocks.push_back(block); });
 }
 
 void fillSupport(const Samples& samples, const NearGains& near, Hypothesis& hypothesis) {
   beginSupport(samples, hypothesis);
-  const float* gains = near.gains.data();
-  for (const SampleBlock& block : near.blocks) {
-    take(gains, block, hypothesis);
-    gains += SampleBlocks::kSize;
-  }
+  for (std::size_t k = 0; k < near.blocks.size(); ++k) take(near.gains[k].of, near.blocks[k], hypothesis);
 }
 
 void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypothesis& hypothesis) {
