@@ -48,6 +48,9 @@ class Choice {
     return {gain, own < least(h) ? -1.0 : gain + against - price(h, own)};
   }
 
+  /// No more than that would h add to the total, whatever is chosen, where it gains so much at its samples.
+  double mostOf(std::uint32_t h, double gain) const { return gain - price(h, least(h)); }
+
   void add(std::uint32_t h) {
     for (const std::uint32_t kept : order_) {
       if (mayOverlap(pool_[kept], pool_[h])) standings_[kept].known = false;
@@ -178,30 +181,51 @@ class Choice {
 /// What a candidate may bring.
 struct Offer {
   std::uint32_t hypothesis;
-  Worth worth;         ///< of the gain, at most so much: with every one that joins it gets less
+  double most;         ///< at most so much: with every one that joins it gains less
+  double total = 0.0;  ///< what it would bring now, where that is known
   bool known = false;  ///< nothing that may have samples in common with it has joined since
 };
+
+/// The best of the offers, of two as good the one of lower index; null: none is worth anything. What is known is looked
+/// at first, and then what promises most, so that few others need be asked.
+Offer* bestOf(List<Offer>& offers, const Choice& choice) {
+  Offer* best = nullptr;
+  const auto compare = [&best](Offer& offer) {
+    if (!(offer.total > 0.0)) return;
+    const bool better = !best || offer.total > best->total;
+    if (better || (offer.total == best->total && offer.hypothesis < best->hypothesis)) best = &offer;
+  };
+  for (Offer& offer : offers) {
+    if (offer.known) compare(offer);
+  }
+  for (Offer& offer : offers) {
+    if (offer.known || (best && offer.most < best->total)) continue;
+    const Worth worth = choice.worthOfAdding(offer.hypothesis);
+    offer.known = true;
+    offer.total = worth.total;
+    offer.most = choice.mostOf(offer.hypothesis, worth.gain);
+    compare(offer);
+  }
+  return best;
+}
 
 /// Adds the most valuable of these until none is worth anything.
 void addGreedily(Choice& choice, const List<Hypothesis>& pool, const List<std::uint32_t>& candidates) {
   List<Offer> offers;
-  for (const std::uint32_t h : candidates) offers.push_back({h, {pool[h].gain_sum, 0.0}});
-  while (true) {
-    Offer* best = nullptr;
-    double most = 0.0;
-    for (Offer& offer : offers) {
-      if (!(offer.worth.gain > most)) continue;
-      if (!offer.known) offer.worth = choice.worthOfAdding(offer.hypothesis);
-      offer.known = true;
-      if (!(offer.worth.total > most)) continue;
-      most = offer.worth.total;
-      best = &offer;
-    }
-    if (!best) return;
+  for (const std::uint32_t h : candidates) {
+    const double most = choice.mostOf(h, pool[h].gain_sum);
+    if (most > 0.0) offers.push_back({h, most});
+  }
+  std::sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
+    return a.most != b.most ? a.most > b.most : a.hypothesis < b.hypothesis;
+  });
+  while (Offer* best = bestOf(offers, choice)) {
     const Hypothesis& added = pool[best->hypothesis];
     choice.add(best->hypothesis);
+    offers.erase(offers.begin() + (best - offers.data()));
     for (Offer& offer : offers) offer.known = offer.known && !mayOverlap(pool[offer.hypothesis], added);
-    best->worth = {0.0, 0.0};
+    const auto hopeless = [](const Offer& offer) { return !(offer.most > 0.0); };
+    offers.erase(std::remove_if(offers.begin(), offers.end(), hopeless), offers.end());
   }
 }
 
