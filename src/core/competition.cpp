@@ -119,9 +119,21 @@ class Fits {
   /// From its own start and those of all kinds; returns how many ended beyond the limits. Once its own has led
   /// somewhere, no other of its kind and side is tried.
   int from(const Start& own, Tried tried) {
+    return fromAll(own, false, tried);
+  }
+
+  /// The same where its own is fitted to these samples: others compete with it as it is.
+  void beside(const Start& own, Tried tried) {
+    best_agreement_ = agreement(own.shape, points_);
+    if (kindOf(own.shape) == Kind::cylinder) remember(own, best_agreement_);
+    fromAll(own, true, tried);
+  }
+
+ private:
+  /// own_holds: its own led somewhere already.
+  int fromAll(const Start& own, bool own_holds, Tried tried) {
     int refused = 0;
     tried_ = tried;
-    bool own_holds = false;
     const auto like_own = [&own](const Start& s) {
       return kindOf(s.shape) == kindOf(own.shape) && s.concave == own.concave;
     };
@@ -138,7 +150,6 @@ class Fits {
     return refused;
   }
 
- private:
   /// A start that agrees much worse with the samples than a fit before it that holds will not get there; what moments
   /// tell of a cone is rough. The last fit, on more points, asks the same (dense_fit.cpp). Measured on 120 clouds of
   /// the paper: finds as much as all starts in an eighth less time; 0.8, or 0.6 for cones, too, makes balls or tubes of
@@ -261,7 +272,7 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
   // starts only, .12 instead of .10 false curved shapes are in a recorded frame; outside of depth frames, where clutter
   // is rare, .4 % more of the cylinders are found.
   const Tried tried = rules.noise.ofDepthCamera() ? Tried::all : Tried::promising;
-  Fits(samples, held, set, rules, compare).from({hypothesis.shape, hypothesis.concave}, tried);
+  Fits(samples, held, set, rules, compare).beside({hypothesis.shape, hypothesis.concave}, tried);
   const auto inliers = static_cast<double>(set.size());
   rival.lead = (own.score - best_to_lead) / inliers;
   if (own.score - best > kClose * inliers) rival.kind.reset();
