@@ -70,7 +70,10 @@ void Labeling::findNear(const PointRuns& runs, std::size_t target) {
 }
 
 /// Of a part only the sides that pass through the ball around a run: one or two of the forty that an outline may have.
+/// What the run before was near to without any side stays: .3 % of a tabletop's instructions less.
 void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
+  const bool few = !targets_.empty() && targets_.size() <= kTargetsPerWord;
+  if (few && k > 0 && sides_.empty() && near_[k] == near_[k - 1] && (near_[k] & border_[k]) == 0) return;
   of_run_.clear();
   sides_.clear();
   for (std::size_t first = 0, at = k; first < targets_.size(); first += kTargetsPerWord, at += runs.size()) {
