@@ -3,6 +3,7 @@
 // Gathering samples into whole lanes; see fit_points.h.
 #include "core/fit_points.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -95,6 +96,19 @@ void FitPoints::gather(const SeenPoints& seen, const NoiseModel& noise) {
   const std::size_t filled = wholeLanes(size_);
   for (List<float>* values : {&x_, &y_, &z_}) values->resize(filled, 0.0f);
   inverse_tolerance_.resize(filled, kNoWeight);
+}
+
+double FitPoints::reach() const {
+  constexpr std::size_t kAtOnce = kernels::kLanes;
+  float farthest_sq[kAtOnce] = {};
+  for (std::size_t start = 0; start < x_.size(); start += kAtOnce) {
+    for (std::size_t lane = 0; lane < kAtOnce; ++lane) {
+      const std::size_t k = start + lane;
+      const float square = x_[k] * x_[k] + y_[k] * y_[k] + z_[k] * z_[k];
+      farthest_sq[lane] = farthest_sq[lane] < square ? square : farthest_sq[lane];
+    }
+  }
+  return std::sqrt(static_cast<double>(*std::max_element(farthest_sq, farthest_sq + kAtOnce)));
 }
 
 FitPoints FitPoints::thinned(std::size_t count) const {

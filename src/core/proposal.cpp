@@ -110,9 +110,11 @@ Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules&
   const int growths = rules.noise.ofDepthCamera() ? 2 : 3;
   const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
   std::size_t before = 0;
+  ProposalRules of_growth = rules;
   for (int growth = 0; growth < growths && set.size() > before + before / 20; ++growth) {
     before = set.size();
-    if (!bestOfKinds(samples, held, set, rules, hypothesis, &refusals)) return Outcome::nothing;
+    of_growth.fitted = growth > 0;
+    if (!bestOfKinds(samples, held, set, of_growth, hypothesis, &refusals)) return Outcome::nothing;
     if (isKnown(hypothesis, pool)) return Outcome::known;
     inliersOf(hypothesis, set);
     if (set.size() >= needed) continue;

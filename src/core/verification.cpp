@@ -221,7 +221,9 @@ void Verification::joinFacets() {
 void Verification::refit(const Segment& segment, const HeldGains& held) {
   constexpr double kNear = 2.5;  // times the noise: what a slightly wrong shape left behind
   Hypothesis trial = pool_[segment.hypothesis];
-  if (bestOfKinds(samples_, held, segment.inliers, rules(), trial)) join(trial, segment.hypothesis);
+  ProposalRules once_more = rules();
+  once_more.fitted = true;
+  if (bestOfKinds(samples_, held, segment.inliers, once_more, trial)) join(trial, segment.hypothesis);
   if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
   evaluate(samples_, held, kNear, trial);
   List<std::uint32_t> near;
