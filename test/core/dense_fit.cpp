@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -249,6 +250,16 @@ TEST(FitPoints, ThinnedAreSomeOfThemFromAllOver) {
     last = i;
   }
   EXPECT_GE(last, all.size() - 3);
+}
+
+TEST(FitPoints, ReachFromTheMiddleToTheFarthest) {
+  const Samples samples = samplesWith(kNoiseModel, pointsOfCan());
+  const FitPoints points = test::fitPointsOf(samples);
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    farthest = std::max(farthest, (samples.point(k) - points.middle()).norm());
+  }
+  EXPECT_NEAR(points.reach(), farthest, 1e-6);  // in float
 }
 
 TEST(FitPoints, OfWhatWasSeenAreThoseOfSamplesThere) {
