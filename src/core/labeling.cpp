@@ -16,15 +16,6 @@ constexpr std::size_t kRun = kernels::kPointsPerRun;
 /// So that no point of a ball is left out.
 constexpr float kRounding = 1.001f;
 
-/// The points that are left for the last run, filled up.
-struct LastRun {
-  float x[kRun] = {}, y[kRun] = {}, z[kRun] = {};
-
-  LastRun(const float* some_x, const float* some_y, const float* some_z, std::size_t count) {
-    std::copy_n(some_x, count, x), std::copy_n(some_y, count, y), std::copy_n(some_z, count, z);
-  }
-};
-
 }  // namespace
 
 void Labeling::begin(const Cloud& cloud) {
@@ -69,11 +60,19 @@ void Labeling::findNear(const PointRuns& runs, std::size_t target) {
   }
 }
 
+/// A run amid the same surfaces as the one before needs nothing else.
+bool Labeling::hasTargetsOfRunBefore(const PointRuns& runs, std::size_t k) const {
+  if (k == 0) return false;
+  std::uint32_t other = 0;
+  for (std::size_t at = k; at < near_.size(); at += runs.size()) {
+    other |= (near_[at] ^ near_[at - 1]) | (near_[at] & (border_[at] | border_[at - 1]));
+  }
+  return other == 0;
+}
+
 /// Of a part only the sides that pass through the ball around a run: one or two of the forty that an outline may have.
-/// What the run before was near to without any side stays: .3 % of a tabletop's instructions less.
 void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
-  const bool few = !targets_.empty() && targets_.size() <= kTargetsPerWord;
-  if (few && k > 0 && sides_.empty() && near_[k] == near_[k - 1] && (near_[k] & border_[k]) == 0) return;
+  if (hasTargetsOfRunBefore(runs, k)) return;
   of_run_.clear();
   sides_.clear();
   for (std::size_t first = 0, at = k; first < targets_.size(); first += kTargetsPerWord, at += runs.size()) {
@@ -91,28 +90,36 @@ void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
 }
 
 void Labeling::labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const {
-  const std::size_t begin = run * kRun, count = std::min(kRun, cloud_->size() - begin);
-  const float *x = cloud_->x.data() + begin, *y = cloud_->y.data() + begin, *z = cloud_->z.data() + begin;
-  if (of_run_.empty()) {
-    std::fill_n(labels + begin, count, 0u);
-  } else if (count == kRun) {
-    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), x, y, z, labels + begin);
+  const std::size_t begin = some_.layout.firstPointOf(run);
+  const kernels::RunOfPoints points = pointsFrom(begin);
+  if (cloud_->size() - begin < kRun) {
+    std::uint32_t last_labels[kRun] = {};
+    if (!of_run_.empty()) {
+      const LastRun last(points, cloud_->size() - begin);
+      kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last.points(), last_labels);
+    }
+    std::copy_n(last_labels, cloud_->size() - begin, labels + begin);
+  } else if (of_run_.empty()) {
+    for (std::size_t place = 0; place < kRun; place += kernels::kPointsPerRow) {
+      std::fill_n(labels + some_.layout.point(run, place), kernels::kPointsPerRow, 0u);
+    }
   } else {
-    const LastRun last(x, y, z, count);
-    std::uint32_t last_labels[kRun];
-    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z, last_labels);
-    std::copy_n(last_labels, count, labels + begin);
+    kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), points, labels + begin);
   }
 }
 
+kernels::RunOfPoints Labeling::pointsFrom(std::size_t begin) const {
+  return {cloud_->x.data() + begin, cloud_->y.data() + begin, cloud_->z.data() + begin, some_.layout.stride()};
+}
+
 std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const {
-  const std::size_t begin = run * kRun, count = std::min(kRun, cloud_->size() - begin);
-  const float *x = cloud_->x.data() + begin, *y = cloud_->y.data() + begin, *z = cloud_->z.data() + begin;
-  const kernels::Loops& loops = kernels::loops();
   if (of_run_.empty()) return ~std::uint64_t{0};
-  if (count == kRun) return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), x, y, z);
-  const LastRun last(x, y, z, count);
-  return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), last.x, last.y, last.z);
+  const std::size_t begin = some_.layout.firstPointOf(run);
+  const kernels::RunOfPoints points = pointsFrom(begin);
+  const kernels::Loops& loops = kernels::loops();
+  if (cloud_->size() - begin >= kRun) return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), points);
+  const LastRun last(points, cloud_->size() - begin);
+  return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), last.points());
 }
 
 /// wanted: by each detection; none: all are. Runs are near no other.
@@ -150,12 +157,16 @@ void Labeling::label(const std::vector<Detection>& detections, const Tolerance& 
 void Labeling::labelWithout(const std::vector<Detection>& detections, const List<bool>& wanted,
                             const Tolerance& tolerance, const PointRuns& runs, const List<LabelRun>& labelled,
                             std::vector<std::uint32_t>& labels) {
+  const RunLayout& layout = runs.layout;
   List<bool> concerned(numberOfRuns(*cloud_), false);
   for (const LabelRun& run : labelled) {
     if (wanted[run.label - 1]) continue;
-    for (std::size_t k = run.begin / kRun; k * kRun < run.end; ++k) concerned[k] = true;
+    // No two of a row of points that is that long are in the same row of a run: each is looked at once at least.
+    constexpr std::uint32_t kStep = kernels::kPointsPerRow;
+    for (std::uint32_t k = run.begin; k < run.end; k = (k / kStep + 1) * kStep) concerned[layout.runOf(k)] = true;
   }
   PointRuns again;
+  again.layout = layout;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (!concerned[runs.number[k]]) continue;
     again.number.push_back(runs.number[k]), again.measured.push_back(runs.measured[k]);

@@ -58,8 +58,11 @@ class Labeling {
   void labelWithin(const PointRuns& runs, const kernels::FlatTolerance& tolerance, std::uint32_t* labels);
   void findAllowed(const PointRuns& runs, const kernels::FlatTolerance& tolerance);
   void findNear(const PointRuns& runs, std::size_t target);
+  bool hasTargetsOfRunBefore(const PointRuns& runs, std::size_t k) const;
+  /// One run after the other, from the first on.
   void gatherTargets(const PointRuns& runs, std::size_t k);
   void labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const;
+  kernels::RunOfPoints pointsFrom(std::size_t begin) const;
   std::uint64_t unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const;
 
   const Cloud* cloud_ = nullptr;

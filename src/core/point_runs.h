@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs of points that follow each other in a cloud, and the share of them that samples are drawn from.
+// Runs of points that lie close together in a cloud, and the share of them that samples are drawn from.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,50 @@ inline std::size_t placeInGroup(std::size_t first, std::size_t size) {
   return (static_cast<std::uint32_t>(first) * 2654435761u >> 16) % size;
 }
 
+/// Where runs lie in a cloud. In an image that they fill they are 16 pixels wide and 4 high: the ball around one is a
+/// third as large as around 64 in a row, and near to fewer shapes and borders. Elsewhere they follow each other.
+class RunLayout {
+ public:
+  RunLayout() = default;
+  explicit RunLayout(const Cloud& cloud)
+      : width_(cloud.organized() && cloud.width % kColumns == 0 && cloud.height % kRows == 0 ? cloud.width : 0) {}
+
+  /// From the first point of a run's row to that of the next.
+  std::size_t stride() const { return width_ > 0 ? width_ : kColumns; }
+  std::size_t firstPointOf(std::size_t run) const {
+    if (width_ == 0) return run * kernels::kPointsPerRun;
+    const std::size_t across = width_ / kColumns;
+    return run / across * (kRows * width_) + run % across * kColumns;
+  }
+  std::size_t point(std::size_t run, std::size_t place) const {
+    return firstPointOf(run) + place / kColumns * stride() + place % kColumns;
+  }
+  std::size_t runOf(std::size_t point) const {
+    if (width_ == 0) return point / kernels::kPointsPerRun;
+    return point / width_ / kRows * (width_ / kColumns) + point % width_ / kColumns;
+  }
+
+ private:
+  static constexpr std::size_t kColumns = kernels::kPointsPerRow, kRows = kernels::kPointsPerRun / kColumns;
+  std::size_t width_ = 0;  ///< of the image; 0: runs follow each other
+};
+
 /// Runs of kernels::kPointsPerRun points; the last one of a cloud may be shorter.
 struct PointRuns {
+  RunLayout layout;
   List<std::uint32_t> number;    ///< of each run in the cloud, rising
   List<float> x, y, z, radius;   ///< of balls around their points (m); radius -1: all are missing
   List<std::uint64_t> measured;  ///< a bit for each point of the run that is not missing, the first one lowest
 
   std::size_t size() const { return number.size(); }
+};
+
+/// The points that are left for the last run, filled up with missing ones.
+struct LastRun {
+  float x[kernels::kPointsPerRun], y[kernels::kPointsPerRun], z[kernels::kPointsPerRun];
+
+  LastRun(const kernels::RunOfPoints& some, std::size_t count);
+  kernels::RunOfPoints points() const { return {x, y, z, kernels::kPointsPerRow}; }
 };
 
 /// How many bits are set (sums over pairs, fours, bytes).

@@ -12,19 +12,7 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kRun = kernels::kPointsPerRun;
-static_assert(kRun == 64, "a bit of a word for each point");
-
-/// Places alone.
-void gather(const Cloud& cloud, const List<std::uint32_t>& indices, Samples& samples) {
-  samples.clear();
-  samples.resize(indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const std::uint32_t index = indices[i];
-    samples.index[i] = index;
-    samples.x[i] = cloud.x[index], samples.y[i] = cloud.y[index], samples.z[i] = cloud.z[index];
-  }
-}
+static_assert(kernels::kPointsPerRun == 64, "a bit of a word for each point");
 
 /// Place of the set bit that has so many set ones below it.
 std::uint32_t placeOf(std::uint64_t bits, std::uint32_t below) {
@@ -73,17 +61,26 @@ void Sampler::choose(std::size_t count, std::uint64_t seed) {
     while (number >= after) before = after, after += countOf(free_[++run]);
     const std::uint32_t place = placeOf(free_[run], static_cast<std::uint32_t>(number - before));
     left_[run] &= ~(std::uint64_t{1} << place);
-    chosen_[k] = static_cast<std::uint32_t>(runs_->number[run] * kRun + place);
+    chosen_[k] = static_cast<std::uint32_t>(runs_->layout.point(runs_->number[run], place));
   }
   free_ = left_;
 }
 
 void Sampler::draw(std::size_t count, std::uint64_t seed, Samples& samples) {
   choose(count, seed);
-  gather(*cloud_, chosen_, samples);
-  along_curve_.clear();
-  for (const std::uint32_t i : curve_.order(samples.x, samples.y, samples.z)) along_curve_.push_back(chosen_[i]);
-  gather(*cloud_, along_curve_, samples);
+  for (List<float>* values : {&x_, &y_, &z_}) values->resize(chosen_.size());
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    const std::uint32_t index = chosen_[i];
+    x_[i] = cloud_->x[index], y_[i] = cloud_->y[index], z_[i] = cloud_->z[index];
+  }
+  samples.clear();
+  samples.resize(chosen_.size());
+  std::size_t next = 0;
+  for (const std::uint32_t i : curve_.order(x_, y_, z_)) {
+    samples.index[next] = chosen_[i];
+    samples.x[next] = x_[i], samples.y[next] = y_[i], samples.z[next] = z_[i];
+    ++next;
+  }
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
   for (List<float>* normal : {&samples.nx, &samples.ny, &samples.nz})
     std::fill(normal->begin(), normal->end(), kMissing);

@@ -35,7 +35,8 @@ class Sampler {
   List<std::uint64_t> left_;  ///< measured and never drawn
   List<std::uint64_t> free_;
   SpaceCurve curve_;
-  List<std::uint32_t> chosen_, along_curve_;  ///< indices of points in the cloud
+  List<std::uint32_t> chosen_;  ///< indices of points in the cloud
+  List<float> x_, y_, z_;       ///< theirs
 };
 
 /// The first samples of a cloud.

@@ -109,8 +109,21 @@ struct Balls {
 };
 
 /// Points are labelled in runs of so many: short enough to lie close together, long enough that what is done once for
-/// each costs little.
-constexpr std::size_t kPointsPerRun = 64;
+/// each costs little. A run has four rows.
+constexpr std::size_t kPointsPerRun = 64, kPointsPerRow = 16;
+
+/// The points of a run, of which some may be NaN. stride: from the first point of a row to that of the next;
+/// kPointsPerRow where all follow each other.
+struct RunOfPoints {
+  const float *x, *y, *z;
+  std::size_t stride;
+};
+
+/// The ball around a run's points (m), and a bit for each that was measured, the first one lowest; radius -1: none was.
+struct RunBall {
+  float x, y, z, radius;
+  std::uint64_t measured;
+};
 
 /// A shape whose points are looked for; without sides, the run lies within its part.
 struct LabelTarget {
@@ -203,17 +216,16 @@ struct Loops {
   /// What each depth allows (m).
   void (*tolerances)(const FlatTolerance& tolerance, const float* z, std::size_t count, float* allowed);
 
-  /// Labels kPointsPerRun points with the nearest of the shapes, at least one, that is near enough and whose part,
-  /// enlarged by what the point is allowed, holds it; 0: none.
-  void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count, const float* x,
-                const float* y, const float* z, std::uint32_t* labels);
+  /// Labels the points of a run with the nearest of the shapes, at least one, that is near enough and whose part,
+  /// enlarged by what the point is allowed, holds it; 0: none. labels: in rows as the points.
+  void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
+                const RunOfPoints& points, std::uint32_t* labels);
 
-  /// A bit for each of kPointsPerRun points, the first one lowest: set where `label` gives none.
+  /// A bit for each point of a run, the first one lowest: set where `label` gives none.
   std::uint64_t (*unexplained)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
-                               const float* x, const float* y, const float* z);
+                               const RunOfPoints& points);
 
-  /// A bit for each of up to kPointsPerRun numbers, the first one lowest: set where it is not NaN.
-  std::uint64_t (*measured)(const float* values, std::size_t count);
+  RunBall (*ballOfRun)(const RunOfPoints& points);
 
   /// A bit for each of kPointsPerRun labels, the first one lowest: set where the next, of one more, is another.
   std::uint64_t (*changes)(const std::uint32_t* labels);

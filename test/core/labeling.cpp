@@ -36,6 +36,14 @@ Cloud cloudInOrder() {
   return cloud;
 }
 
+/// All of it but the last points, as an image that runs fill.
+Cloud asImage(Cloud cloud) {
+  cloud.width = 64, cloud.height = 92;
+  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) values->resize(cloud.width * cloud.height);
+  cloud.countPoints();
+  return cloud;
+}
+
 Cloud shuffled(Cloud cloud) {
   Random random(62);
   for (std::size_t i = cloud.size() - 1; i > 0; --i) {
@@ -85,7 +93,7 @@ const Tolerance kOfDepthCamera = {NoiseModel{0.0, 0.001}, 1.0, 3.0};
 
 TEST(LabelPoints, GivesEachPointToTheNearestShapeOnWhosePartItLies) {
   const std::vector<Detection> items = detections();
-  for (const Cloud& cloud : {cloudInOrder(), shuffled(cloudInOrder())}) {
+  for (const Cloud& cloud : {cloudInOrder(), shuffled(cloudInOrder()), asImage(cloudInOrder())}) {
     for (const Tolerance& tolerance : {kEverywhereAlike, kOfDepthCamera, kOfDepthCamera.scaled(2.0)}) {
       std::vector<std::uint32_t> labels;
       labelPoints(cloud, items, tolerance, labels);
@@ -108,12 +116,42 @@ TEST(LabelPoints, GivesEachPointToTheNearestShapeOnWhosePartItLies) {
 }
 
 TEST(PointRuns, KnowWhichPointsWereMeasured) {
-  const Cloud cloud = cloudInOrder();
-  PointRuns runs;
-  findRuns(cloud, runs);
-  for (std::size_t i = 0; i < runs.size() * kernels::kPointsPerRun; ++i) {
-    const bool measured = runs.measured[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
-    ASSERT_EQ(measured, i < cloud.size() && cloud.valid(i)) << i;
+  for (const Cloud& cloud : {cloudInOrder(), asImage(cloudInOrder())}) {
+    PointRuns runs;
+    findRuns(cloud, runs);
+    for (std::size_t i = 0; i < runs.size() * kernels::kPointsPerRun; ++i) {
+      const std::size_t run = i / kernels::kPointsPerRun, place = i % kernels::kPointsPerRun;
+      const std::size_t point = runs.layout.point(run, place);
+      ASSERT_EQ(runs.measured[run] >> place & 1, point < cloud.size() && cloud.valid(point)) << i;
+    }
+  }
+}
+
+TEST(PointRuns, OfAnImageHoldEachPointOnceCloseTogether) {
+  Cloud image;
+  image.reset(48, 8, false);
+  const RunLayout layout(image);
+  std::vector<int> times(image.size(), 0);
+  for (std::size_t run = 0; run < numberOfRuns(image); ++run) {
+    const std::size_t first = layout.firstPointOf(run);
+    for (std::size_t place = 0; place < kernels::kPointsPerRun; ++place) {
+      const std::size_t point = layout.point(run, place);
+      ++times.at(point);
+      EXPECT_EQ(layout.runOf(point), run);
+      EXPECT_LT(point % 48 - first % 48, 16u);
+      EXPECT_LT(point / 48 - first / 48, 4u);
+    }
+  }
+  EXPECT_EQ(times, std::vector<int>(image.size(), 1));
+}
+
+TEST(PointRuns, OfOtherCloudsFollowEachOther) {
+  for (const auto& [width, height] : {std::pair{384u, 1u}, {50u, 8u}, {48u, 9u}}) {
+    Cloud cloud;
+    cloud.reset(width, height, false);
+    const RunLayout layout(cloud);
+    EXPECT_EQ(layout.point(2, 40), 168u) << width;
+    EXPECT_EQ(layout.runOf(168), 2u) << width;
   }
 }
 
@@ -132,25 +170,25 @@ TEST(LabelPoints, GoToOthersWhenSomeDetectionsAreNotWanted) {
   std::vector<Detection> items = detections();
   items.push_back(items[2]);  // on the can, a little wider: it has the points that noise moved out
   std::get<Cylinder>(items[4].shape).radius += 0.002;
-  const Cloud cloud = cloudInOrder();
-  for (const List<bool>& wanted : {List<bool>{0, 1, 1, 1, 1}, List<bool>{1, 1, 0, 1, 1}, List<bool>{1, 1, 1, 1, 0},
-                                   List<bool>{0, 1, 0, 1, 1}, List<bool>{1, 1, 0, 1, 0}, List<bool>(5, false)}) {
-    std::vector<Detection> others;
-    std::vector<std::uint32_t> number = {0}, labels, expected;  // of each other one among all
-    for (std::uint32_t k = 0; k < items.size(); ++k) {
-      if (wanted[k]) others.push_back(items[k]), number.push_back(k + 1);
+  for (const Cloud& cloud : {cloudInOrder(), asImage(cloudInOrder())})
+    for (const List<bool>& wanted : {List<bool>{0, 1, 1, 1, 1}, List<bool>{1, 1, 0, 1, 1}, List<bool>{1, 1, 1, 1, 0},
+                                     List<bool>{0, 1, 0, 1, 1}, List<bool>{1, 1, 0, 1, 0}, List<bool>(5, false)}) {
+      std::vector<Detection> others;
+      std::vector<std::uint32_t> number = {0}, labels, expected;  // of each other one among all
+      for (std::uint32_t k = 0; k < items.size(); ++k) {
+        if (wanted[k]) others.push_back(items[k]), number.push_back(k + 1);
+      }
+      Labeling labeling;
+      labeling.begin(cloud);
+      labeling.label(items, kEverywhereAlike, labeling.allRuns(), labels);
+      for (std::uint32_t k = 0; k < items.size(); ++k) {
+        EXPECT_NE(std::find(labels.begin(), labels.end(), k + 1), labels.end()) << k;
+      }
+      labeling.labelWithout(items, wanted, kEverywhereAlike, labeling.allRuns(), labelRuns(labels), labels);
+      labelPoints(cloud, others, kEverywhereAlike, expected);
+      for (std::uint32_t& label : expected) label = number[label];
+      EXPECT_EQ(labels, expected);
     }
-    Labeling labeling;
-    labeling.begin(cloud);
-    labeling.label(items, kEverywhereAlike, labeling.allRuns(), labels);
-    for (std::uint32_t k = 0; k < items.size(); ++k) {
-      EXPECT_NE(std::find(labels.begin(), labels.end(), k + 1), labels.end()) << k;
-    }
-    labeling.labelWithout(items, wanted, kEverywhereAlike, labeling.allRuns(), labelRuns(labels), labels);
-    labelPoints(cloud, others, kEverywhereAlike, expected);
-    for (std::uint32_t& label : expected) label = number[label];
-    EXPECT_EQ(labels, expected);
-  }
 }
 
 TEST(LabelPoints, OfLongStretchesAllGoToOthers) {
@@ -171,20 +209,23 @@ TEST(LabelPoints, OfLongStretchesAllGoToOthers) {
 }
 
 TEST(Unexplained, AreThePointsWithoutALabel) {
-  const Cloud cloud = cloudInOrder();
-  const std::vector<Detection> items = detections();
-  Labeling labeling;
-  labeling.begin(cloud);
-  std::vector<std::uint32_t> labels;
-  List<std::uint64_t> unexplained;
-  for (const std::size_t count : {items.size(), std::size_t{1}, std::size_t{0}}) {
-    const std::vector<Detection> some(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count));
-    labeling.label(some, kOfDepthCamera, labeling.allRuns(), labels);
-    labeling.findUnexplained(some, kOfDepthCamera, labeling.allRuns(), unexplained);
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const bool free = unexplained[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
-      if (cloud.valid(i)) {
-        ASSERT_EQ(free, labels[i] == 0) << i;
+  for (const Cloud& cloud : {cloudInOrder(), asImage(cloudInOrder())}) {
+    const std::vector<Detection> items = detections();
+    Labeling labeling;
+    labeling.begin(cloud);
+    std::vector<std::uint32_t> labels;
+    List<std::uint64_t> unexplained;
+    for (const std::size_t count : {items.size(), std::size_t{1}, std::size_t{0}}) {
+      const std::vector<Detection> some(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count));
+      labeling.label(some, kOfDepthCamera, labeling.allRuns(), labels);
+      labeling.findUnexplained(some, kOfDepthCamera, labeling.allRuns(), unexplained);
+      for (std::size_t i = 0; i < cloud.size(); ++i) {
+        const bool free = unexplained[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
+        const std::size_t point =
+            labeling.allRuns().layout.point(i / kernels::kPointsPerRun, i % kernels::kPointsPerRun);
+        if (cloud.valid(point)) {
+          ASSERT_EQ(free, labels[point] == 0) << i;
+        }
       }
     }
   }

@@ -34,7 +34,8 @@ struct Draws {
   void keepWithout(const std::vector<std::uint32_t>& labels) {
     List<std::uint64_t> bits(runs.size(), 0);
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      if (labels[i] == 0) bits[i / kernels::kPointsPerRun] |= std::uint64_t{1} << i % kernels::kPointsPerRun;
+      const std::size_t run = i / kernels::kPointsPerRun, place = i % kernels::kPointsPerRun;
+      if (labels[runs.layout.point(run, place)] == 0) bits[run] |= std::uint64_t{1} << place;
     }
     sampler.keepTo(bits);
   }
@@ -105,7 +106,8 @@ TEST(Sampling, SpreadsLaterRoundsOverWhatIsFree) {
   for (const int count : per_quarter) EXPECT_NEAR(count, 250, 3);
 }
 
-/// How many of the chosen runs are in each row and in each column of runs of an image whose pixels are all measured.
+/// How many points of the chosen runs are in each row, and in each column of 64 pixels, of an image whose pixels are
+/// all measured.
 struct ChosenRuns {
   std::size_t all, some;
   std::vector<double> in_row, in_column;
@@ -120,8 +122,11 @@ struct ChosenRuns {
     all = runs.size(), some = chosen.size();
     in_row.assign(height, 0.0), in_column.assign(width / kernels::kPointsPerRun, 0.0);
     for (const std::uint32_t run : chosen.number) {
-      in_row[run * kernels::kPointsPerRun / width] += 1.0;
-      in_column[run * kernels::kPointsPerRun % width / kernels::kPointsPerRun] += 1.0;
+      for (std::size_t place = 0; place < kernels::kPointsPerRun; ++place) {
+        const std::size_t point = chosen.layout.point(run, place);
+        in_row[point / width] += 1.0;
+        in_column[point % width / kernels::kPointsPerRun] += 1.0;
+      }
     }
   }
 };
@@ -130,10 +135,10 @@ TEST(Sampling, ChoosesRunsOfEveryRowAndAllColumnsOfALargeImageAlsoOfAFlattenedOn
   for (const bool flattened : {false, true}) {
     const ChosenRuns chosen(1280, 960, flattened);
     EXPECT_EQ(chosen.some, chosen.all / 4);
-    // Of the twenty runs in a row one of every four.
-    for (const double count : chosen.in_row) EXPECT_EQ(count, 5.0);
-    // Of the 960 in a column about a quarter: binomial, with a standard deviation of 13.
-    for (const double count : chosen.in_column) EXPECT_NEAR(count, 240.0, 65.0);
+    // Of the 1280 points in a row one of every four.
+    for (const double count : chosen.in_row) EXPECT_EQ(count, 320.0);
+    // Of the 960 runs in a column about a quarter: binomial, with a standard deviation of 13.
+    for (const double count : chosen.in_column) EXPECT_NEAR(count / 64.0, 240.0, 65.0);
   }
 }
 

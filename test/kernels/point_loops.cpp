@@ -126,6 +126,48 @@ TEST(Around, SumsWhatIsWithinReach) {
   }
 }
 
+/// A run within an image 40 wide against its points one after the other.
+TEST(PointLoops, TakeRunsFromRowsOfAnImage) {
+  constexpr std::size_t kWidth = 40, kFirst = 7;
+  const Points image(4 * kWidth);
+  std::vector<float> x, y, z;
+  for (std::size_t i = 0; i < kPointsPerRun; ++i) {
+    const std::size_t at = kFirst + i / kPointsPerRow * kWidth + i % kPointsPerRow;
+    x.push_back(image.x[at]), y.push_back(image.y[at]), z.push_back(image.z[at]);
+  }
+  const RunOfPoints in_rows = {&image.x[kFirst], &image.y[kFirst], &image.z[kFirst], kWidth};
+  const RunOfPoints in_line = {x.data(), y.data(), z.data(), kPointsPerRow};
+  const FlatSide kSide = {1, 0, 0, -0.1f};
+  const FlatTolerance kWide = {0.1f, 0.0f, 0.4f, 0.0f};
+  for (const Loops* table : allLoops()) {
+    const RunBall ball = table->ballOfRun(in_rows), expected = table->ballOfRun(in_line);
+    EXPECT_EQ(ball.x, expected.x) << table->name;
+    EXPECT_EQ(ball.y, expected.y) << table->name;
+    EXPECT_EQ(ball.z, expected.z) << table->name;
+    EXPECT_EQ(ball.radius, expected.radius) << table->name;
+    EXPECT_EQ(ball.measured, expected.measured) << table->name;
+    for (const Shape& shape : kShapes) {
+      const FlatShape flat = flattened(shape, Vec3::Zero());
+      for (const std::size_t sides : {0, 1}) {
+        const LabelTarget targets[] = {{&flat, {&kSide, sides}, 3}, {&flat, {&kSide, 1}, 5}};
+        for (const std::size_t count : {1, 2}) {
+          std::uint32_t labels[kPointsPerRun];
+          std::vector<std::uint32_t> of_image(4 * kWidth, 9), beside(4 * kWidth, 9);
+          table->label(kWide, targets, count, in_line, labels);
+          table->label(kWide, targets, count, in_rows, of_image.data() + kFirst);
+          for (std::size_t i = 0; i < kPointsPerRun; ++i) {
+            beside[kFirst + i / kPointsPerRow * kWidth + i % kPointsPerRow] = labels[i];
+          }
+          EXPECT_EQ(of_image, beside) << table->name;
+          EXPECT_EQ(table->unexplained(kWide, targets, count, in_rows),
+                    table->unexplained(kWide, targets, count, in_line))
+              << table->name;
+        }
+      }
+    }
+  }
+}
+
 TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
   const Points p(200);
   const FlatSide kSide = {1, 0, 0, -0.1f};
@@ -141,7 +183,8 @@ TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
       std::uint32_t labels[kPointsPerRun];
       const FlatShape flat = flattened(shape, Vec3::Zero());
       const LabelTarget target = {&flat, {&kSide, 1}, 1};
-      table->label({0.1f, 0.0f, 0.4f, 0.0f}, &target, 1, p.x.data(), p.y.data(), p.z.data(), labels);
+      const RunOfPoints run = {p.x.data(), p.y.data(), p.z.data(), kPointsPerRow};
+      table->label({0.1f, 0.0f, 0.4f, 0.0f}, &target, 1, run, labels);
       all.insert(all.end(), labels, labels + kPointsPerRun);
       results.push_back(all);
       EXPECT_EQ(results.front(), results.back()) << table->name;
