@@ -11,6 +11,7 @@
 
 #include "core/observed_part.h"
 #include "core/ray_depth.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 namespace {
@@ -125,6 +126,29 @@ class Bands {
   std::array<Band, kCount> bands_;
 };
 
+/// Of some of the points: elsewhere on the surface they are no part of the extent.
+List<Pixel> pixelsOn(const ObservedPart& part, const Cloud& cloud, const PointNoise& sigma,
+                     const List<std::uint32_t>& points) {
+  // More would only find borders that are a pixel farther out.
+  constexpr std::size_t kMost = 600;
+  float x[kMost], y[kMost], z[kMost], depth[kMost];
+  List<Pixel> pixels;
+  std::size_t count = 0;
+  const std::size_t step = points.size() / kMost + 1;
+  for (std::size_t k = 0; k < points.size(); k += step, ++count) {
+    const std::uint32_t i = points[k];
+    x[count] = cloud.x[i], y[count] = cloud.y[i], z[count] = cloud.z[i];
+  }
+  // All at once: sides of an outline are many.
+  kernels::loops().depths(part.view(), x, y, z, count, depth);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!(depth[k] >= -kOnSurface * sigma({x[k], y[k], z[k]}))) continue;
+    const std::uint32_t i = points[k * step];
+    pixels.push_back({static_cast<int>(i % cloud.width), static_cast<int>(i / cloud.width)});
+  }
+  return pixels;
+}
+
 /// Start and direction of all walks.
 List<std::pair<Pixel, Pixel>> startsOf(const List<Pixel>& pixels) {
   Pixel low = pixels.front(), high = pixels.front();
@@ -170,17 +194,7 @@ std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
                                     const List<std::uint32_t>& inlier_points) const {
   if (inlier_points.empty()) return kTruncationUnknown;
   if (!rays_.known) return kTruncationUnknown | depthBit(cloud_, range_, inlier_points);
-  // More would only find borders that are a pixel farther out.
-  constexpr std::size_t kMostStarts = 600;
-  const ObservedPart part(shape, extent);
-  List<Pixel> pixels;
-  for (std::size_t k = 0; k < inlier_points.size(); k += inlier_points.size() / kMostStarts + 1) {
-    const std::uint32_t i = inlier_points[k];
-    const Vec3 p(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
-    // Points elsewhere on the surface are no part of the extent.
-    if (!part.holds(cloud_.x[i], cloud_.y[i], cloud_.z[i], static_cast<float>(kOnSurface * sigma_(p)))) continue;
-    pixels.push_back({static_cast<int>(i % cloud_.width), static_cast<int>(i / cloud_.width)});
-  }
+  const List<Pixel> pixels = pixelsOn(ObservedPart(shape, extent), cloud_, sigma_, inlier_points);
   if (pixels.empty()) return kTruncationUnknown;
   const auto starts = startsOf(pixels);
   std::array<std::size_t, 8> counts = {};
