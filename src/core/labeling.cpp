@@ -113,7 +113,8 @@ kernels::RunOfPoints Labeling::pointsFrom(std::size_t begin) const {
 }
 
 std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const {
-  if (of_run_.empty()) return ~std::uint64_t{0};
+  constexpr std::uint64_t kRowsDrawn = 0x0000ffff0000ffffu;
+  if (of_run_.empty()) return kRowsDrawn;
   const std::size_t begin = some_.layout.firstPointOf(run);
   const kernels::RunOfPoints points = pointsFrom(begin);
   const kernels::Loops& loops = kernels::loops();

@@ -221,7 +221,7 @@ struct Loops {
   void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
                 const RunOfPoints& points, std::uint32_t* labels);
 
-  /// A bit for each point of a run, the first one lowest: set where `label` gives none.
+  /// A bit for each point of a run, the first one lowest: set in the first and third row where `label` gives none.
   std::uint64_t (*unexplained)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
                                const RunOfPoints& points);
 
