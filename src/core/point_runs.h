@@ -65,11 +65,16 @@ struct LastRun {
   kernels::RunOfPoints points() const { return {x, y, z, kernels::kPointsPerRow}; }
 };
 
-/// How many bits are set (sums over pairs, fours, bytes).
-inline std::uint32_t countOf(std::uint64_t bits) {
+/// How many bits are set in each byte (sums over pairs, fours, bytes).
+inline std::uint64_t bytesOf(std::uint64_t bits) {
   bits -= bits >> 1 & 0x5555555555555555u;
   bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
-  return static_cast<std::uint32_t>(((bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
+  return (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+}
+
+/// How many bits are set.
+inline std::uint32_t countOf(std::uint64_t bits) {
+  return static_cast<std::uint32_t>(bytesOf(bits) * 0x0101010101010101u >> 56);
 }
 
 inline std::size_t numberOfRuns(const Cloud& cloud) {

@@ -16,12 +16,11 @@ static_assert(kernels::kPointsPerRun == 64, "a bit of a word for each point");
 
 /// Place of the set bit that has so many set ones below it.
 std::uint32_t placeOf(std::uint64_t bits, std::uint32_t below) {
-  std::uint32_t place = 0;
-  for (std::uint32_t half = 32; half >= 8; half /= 2) {
-    const std::uint64_t low = bits >> place & ((std::uint64_t{1} << half) - 1);
-    const std::uint32_t there = countOf(low);
-    if (there <= below) below -= there, place += half;
-  }
+  constexpr std::uint64_t kOnes = 0x0101010101010101u, kTops = 0x8080808080808080u;
+  // Of each byte, how many are set in it and in those below; then the first byte with more than are wanted below.
+  const std::uint64_t up_to = bytesOf(bits) * kOnes, more = ((up_to | kTops) - (below + 1) * kOnes) & kTops;
+  const std::uint32_t place = static_cast<std::uint32_t>(__builtin_ctzll(more)) / 8 * 8;
+  below -= static_cast<std::uint32_t>(up_to << 8 >> place & 0xff);
   std::uint64_t rest = bits >> place;
   for (; below > 0; --below) rest &= rest - 1;
   return place + static_cast<std::uint32_t>(__builtin_ctzll(rest));
