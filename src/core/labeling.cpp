@@ -112,15 +112,24 @@ kernels::RunOfPoints Labeling::pointsFrom(std::size_t begin) const {
   return {cloud_->x.data() + begin, cloud_->y.data() + begin, cloud_->z.data() + begin, some_.layout.stride()};
 }
 
+/// In an image, every second row; elsewhere neighbours in a row may be far apart, and all of a small thing count.
 std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const {
   constexpr std::uint64_t kRowsDrawn = 0x0000ffff0000ffffu;
-  if (of_run_.empty()) return kRowsDrawn;
+  const bool in_image = some_.layout.inImage();
+  if (of_run_.empty()) return in_image ? kRowsDrawn : ~std::uint64_t{0};
+  const auto everySecondRow = [&](const kernels::RunOfPoints& points) {
+    return kernels::loops().unexplained(tolerance, of_run_.data(), of_run_.size(), points);
+  };
+  const auto allRows = [&](const kernels::RunOfPoints& p) {
+    constexpr std::size_t kRow = kernels::kPointsPerRow;
+    return everySecondRow(p) | everySecondRow({p.x + kRow, p.y + kRow, p.z + kRow, p.stride}) << kRow;
+  };
   const std::size_t begin = some_.layout.firstPointOf(run);
   const kernels::RunOfPoints points = pointsFrom(begin);
-  const kernels::Loops& loops = kernels::loops();
-  if (cloud_->size() - begin >= kRun) return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), points);
+  if (in_image) return everySecondRow(points);
+  if (cloud_->size() - begin >= kRun) return allRows(points);
   const LastRun last(points, cloud_->size() - begin);
-  return loops.unexplained(tolerance, of_run_.data(), of_run_.size(), last.points());
+  return allRows(last.points());
 }
 
 /// wanted: by each detection; none: all are. Runs are near no other.

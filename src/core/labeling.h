@@ -41,7 +41,7 @@ class Labeling {
                     const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels);
 
   /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
-  /// any. In every second row of a run: samples are drawn from these, of all points they would be no better.
+  /// any. In an image, of every second row: samples are drawn from these, of all points they would be no better.
   void findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
                        List<std::uint64_t>& unexplained);
 

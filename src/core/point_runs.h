@@ -27,6 +27,7 @@ class RunLayout {
   explicit RunLayout(const Cloud& cloud)
       : width_(cloud.organized() && cloud.width % kColumns == 0 && cloud.height % kRows == 0 ? cloud.width : 0) {}
 
+  bool inImage() const { return width_ > 0; }
   /// From the first point of a run's row to that of the next.
   std::size_t stride() const { return width_ > 0 ? width_ : kColumns; }
   std::size_t firstPointOf(std::size_t run) const {

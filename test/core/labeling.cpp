@@ -224,7 +224,7 @@ TEST(Unexplained, AreThePointsWithoutALabel) {
         const std::size_t point =
             labeling.allRuns().layout.point(i / kernels::kPointsPerRun, i % kernels::kPointsPerRun);
         if (cloud.valid(point)) {
-          const bool looked_at = i / kernels::kPointsPerRow % 2 == 0;
+          const bool looked_at = !cloud.organized() || i / kernels::kPointsPerRow % 2 == 0;
           ASSERT_EQ(free, looked_at && labels[point] == 0) << i;
         }
       }
