@@ -171,9 +171,10 @@ class Fits {
   /// Whether the fit ends within the limits; nothing when it fails.
   std::optional<bool> fit(const Start& start) {
     // Two steps with the tolerance that gathered the samples, so that a poor start is not left where it is; the last
-    // one is far below what few samples can tell. More than six find nothing else. Without the two for what is fitted
-    // already, and with reach(), 2 % of a tabletop's instructions less.
-    constexpr double kSmallStep = 0.06;  // of the noise
+    // one is far below what few samples can tell: with .06 rivals end too early to tell clutter from cones. More than six
+    // find nothing else. Without the two for what is fitted already, and with reach(), 2 % of a tabletop's
+    // instructions less.
+    constexpr double kSmallStep = 0.02;  // of the noise
     const int wide_steps = start.fitted ? 0 : 2;
     const std::optional<Shape> shape =
         refine(start.shape, points_, {rules_.widen, wide_steps, 6, kSmallStep / kInlierDeviations});
