@@ -65,13 +65,6 @@ List<Start> startsFor(const Start& own, const Moments& moments, double sigma, co
   return starts;
 }
 
-/// How far the farthest of the set is from there (m).
-double reachOf(const Samples& samples, const List<std::uint32_t>& set, const Vec3& middle) {
-  double farthest_sq = 0.0;
-  for (const std::uint32_t i : set) farthest_sq = std::max(farthest_sq, (samples.point(i) - middle).squaredNorm());
-  return std::sqrt(farthest_sq);
-}
-
 /// Where a shape ends, in times the distance of the farthest sample that it was fitted to. Measured: against no bound,
 /// 1 finds 0.6 % more of the shapes on tables and 2 % more among outliers, but outside of depth frames one cylinder in
 /// two hundred falls apart and 1 % of the cones go wrong; 2.5 does neither.
@@ -119,15 +112,16 @@ class Fits {
 
   /// From its own start and those of all kinds; returns how many ended beyond the limits. Once its own has led
   /// somewhere, no other of its kind and side is tried.
-  int from(const Start& own, Tried tried) {
-    return fromAll(own, false, tried);
-  }
+  int from(const Start& own, Tried tried) { return fromAll(own, false, tried); }
 
-  /// The same where its own is fitted to these samples: others compete with it as it is.
-  void beside(const Start& own, Tried tried) {
+  /// The same where its own is fitted to these samples: others compete with it as it is. Returns its score.
+  double beside(const Start& own, Tried tried) {
     best_agreement_ = agreement(own.shape, points_);
     if (kindOf(own.shape) == Kind::cylinder) remember(own, best_agreement_);
+    judge(own.shape, own.concave);
+    const double score = trial_.score;
     fromAll(own, true, tried);
+    return score;
   }
 
  private:
@@ -171,8 +165,8 @@ class Fits {
   /// Whether the fit ends within the limits; nothing when it fails.
   std::optional<bool> fit(const Start& start) {
     // Two steps with the tolerance that gathered the samples, so that a poor start is not left where it is; the last
-    // one is far below what few samples can tell: with .06 rivals end too early to tell clutter from cones. More than six
-    // find nothing else. Without the two for what is fitted already, and with reach(), 2 % of a tabletop's
+    // one is far below what few samples can tell: with .06 rivals end too early to tell clutter from cones. More than
+    // six find nothing else. Without the two for what is fitted already, and with reach(), 2 % of a tabletop's
     // instructions less.
     constexpr double kSmallStep = 0.02;  // of the noise
     const int wide_steps = start.fitted ? 0 : 2;
@@ -253,12 +247,6 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
                 const ProposalRules& rules, const Hypothesis& hypothesis) {
   constexpr double kClose = 0.05;
   Rival rival;
-  Hypothesis own;
-  own.shape = hypothesis.shape;
-  own.concave = hypothesis.concave;
-  own.middle = hypothesis.middle;
-  own.reach = beyond(rules.noise) * reachOf(samples, set, own.middle);  // as for its rivals
-  score(samples, held, 1.0, own);
   double best = 0.0;
   double best_to_lead = 0.0;
   const Kind own_kind = kindOf(hypothesis.shape);
@@ -276,10 +264,10 @@ Rival bestRival(const Samples& samples, const HeldGains& held, const List<std::u
   // starts only, .12 instead of .10 false curved shapes are in a recorded frame; outside of depth frames, where clutter
   // is rare, .4 % more of the cylinders are found.
   const Tried tried = rules.noise.ofDepthCamera() ? Tried::all : Tried::promising;
-  Fits(samples, held, set, rules, compare).beside({hypothesis.shape, hypothesis.concave}, tried);
+  const double own = Fits(samples, held, set, rules, compare).beside({hypothesis.shape, hypothesis.concave}, tried);
   const auto inliers = static_cast<double>(set.size());
-  rival.lead = (own.score - best_to_lead) / inliers;
-  if (own.score - best > kClose * inliers) rival.kind.reset();
+  rival.lead = (own - best_to_lead) / inliers;
+  if (own - best > kClose * inliers) rival.kind.reset();
   return rival;
 }
 

@@ -106,10 +106,6 @@ List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
   return starts;
 }
 
-}  // namespace
-
-namespace {
-
 /// A fit to so many points shows the way. Prime: seldom in time with the rows of an image.
 constexpr std::size_t kFew = 509;
 
@@ -138,9 +134,7 @@ Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& 
   const FitPoints few = areMany(points) ? points.thinned(kFew) : FitPoints();
   Shape best = shape;
   double most = -std::numeric_limits<double>::infinity();
-  const auto worthOf = [&](const Shape& fitted) {
-    return agreement(fitted, points) - count * priceOf(fitted, shape);
-  };
+  const auto worthOf = [&](const Shape& fitted) { return agreement(fitted, points) - count * priceOf(fitted, shape); };
   for (Shape start : startsAround(shape, points)) {
     if (areMany(points)) {
       start = refineOnce(start, few, PointErrors::across).value_or(start);

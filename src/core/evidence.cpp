@@ -11,15 +11,6 @@
 #include "core/selection.h"
 
 namespace primitect {
-bool continuous(const Samples& samples, std::uint32_t a, std::uint32_t b) {
-  constexpr double kLeastCosine = 0.87;  // 30 deg between the normals
-  constexpr double kSteepest = 0.45;     // sine of the angle between the way to the other and the surface
-  const Vec3 normal_a = samples.normal(a), normal_b = samples.normal(b);
-  if (!(normal_a.dot(normal_b) > kLeastCosine)) return false;
-  const Vec3 way = samples.point(b) - samples.point(a);
-  const double steepest = kSteepest * way.norm();
-  return std::abs(way.dot(normal_a)) < steepest && std::abs(way.dot(normal_b)) < steepest;
-}
 
 namespace {
 
@@ -79,6 +70,16 @@ bool leavesTheBall(Kind kind, const Evidence& e) {
 }
 
 }  // namespace
+
+bool continuous(const Samples& samples, std::uint32_t a, std::uint32_t b) {
+  constexpr double kLeastCosine = 0.87;  // 30 deg between the normals
+  constexpr double kSteepest = 0.45;     // sine of the angle between the way to the other and the surface
+  const Vec3 normal_a = samples.normal(a), normal_b = samples.normal(b);
+  if (!(normal_a.dot(normal_b) > kLeastCosine)) return false;
+  const Vec3 way = samples.point(b) - samples.point(a);
+  const double steepest = kSteepest * way.norm();
+  return std::abs(way.dot(normal_a)) < steepest && std::abs(way.dot(normal_b)) < steepest;
+}
 
 Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
                         std::uint32_t self, const Hypothesis& hypothesis) {

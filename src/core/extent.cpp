@@ -218,8 +218,8 @@ struct AxisRange {
   double low, high;
 };
 
-/// How the surface between two heights along an axis grows with them: of a cylinder as their difference, of a cone, from
-/// its apex, as that of their squares.
+/// How the surface between two heights along an axis grows with them: of a cylinder as their difference, of a cone,
+/// from its apex, as that of their squares.
 enum class Surface { even, tapered };
 
 double areaUpTo(double height, Surface surface) {
@@ -262,7 +262,8 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMost
   std::nth_element(low_two, high_two, high + 1);
   const double to_two = origin + *high_two;
   const double lowest = origin + *std::min_element(heights, low + 1), highest = origin + *std::max_element(high, end);
-  return {std::max(lowest, endFrom(from, from_two, to, surface)), std::min(highest, endFrom(to, to_two, from, surface))};
+  return {std::max(lowest, endFrom(from, from_two, to, surface)),
+          std::min(highest, endFrom(to, to_two, from, surface))};
 }
 
 /// x of the frame: from the axis towards the side that was seen.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/evidence.h"
@@ -38,29 +39,27 @@ List<std::uint32_t> widened(const Samples& samples, const SampleGraph& graph, Li
   return owner;
 }
 
-}  // namespace
+/// Ways, of the samples that a straight line through the middle of the smaller one passes. Borders of facets have one
+/// to twenty times as many, but for some that touch in a corner. Along an edge of a box there are hardly any: on 20
+/// tables 16 groups come of it, none of which is anything but planes.
+constexpr double kLeastBorder = 0.15;
 
-SampleParts facetGroups(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
-                        std::uint32_t planes) {
-  if (planes < 2) return {};
-  // Ways, of the samples that a straight line through the middle of the smaller one passes. Borders of facets have one
-  // to twenty times as many, but for some that touch in a corner. Along an edge of a box there are hardly any: on 20
-  // tables 16 groups come of it, none of which is anything but planes.
-  constexpr double kLeastBorder = 0.15;
+/// The lowest number of a plane that each plane is joined to.
+List<std::uint32_t> joined(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
+                           std::uint32_t planes) {
   constexpr std::size_t kNearest = 4;  // neighbours of each are enough: with all .2 % of a frame's instructions more
   Ways ways(planes);
   List<std::uint32_t> size(planes, 0), group(planes);
-  const List<std::uint32_t> wide = widened(samples, graph, owner, planes);
-  for (std::uint32_t i = 0; i < wide.size(); ++i) {
-    if (wide[i] >= planes) continue;
-    ++size[wide[i]];
+  for (std::uint32_t i = 0; i < owner.size(); ++i) {
+    if (owner[i] >= planes) continue;
+    ++size[owner[i]];
     const auto& near = graph.of(i);
     for (std::size_t k = 0; k < kNearest; ++k) {
       const std::uint32_t j = near[k];
-      if (wide[j] != wide[i] && wide[j] < planes && continuous(samples, i, j)) ways.add(wide[i], wide[j]);
+      if (owner[j] != owner[i] && owner[j] < planes && continuous(samples, i, j)) ways.add(owner[i], owner[j]);
     }
   }
-  for (std::uint32_t k = 0; k < planes; ++k) group[k] = k;
+  std::iota(group.begin(), group.end(), 0u);
   for (std::uint32_t a = 0; a < planes; ++a) {
     for (std::uint32_t b = a + 1; b < planes; ++b) {
       const double border = std::sqrt(static_cast<double>(std::min(size[a], size[b])));
@@ -69,6 +68,15 @@ SampleParts facetGroups(const Samples& samples, const SampleGraph& graph, const 
       std::replace(group.begin(), group.end(), high, low);
     }
   }
+  return group;
+}
+
+}  // namespace
+
+SampleParts facetGroups(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
+                        std::uint32_t planes) {
+  if (planes < 2) return {};
+  const List<std::uint32_t> group = joined(samples, graph, widened(samples, graph, owner, planes), planes);
   SampleParts groups;
   for (std::uint32_t g = 0; g < planes; ++g) {
     if (std::count(group.begin(), group.end(), g) < 2) continue;

@@ -43,7 +43,7 @@ class FitPoints {
   std::size_t size() const { return size_; }
   const Vec3& origin() const { return origin_; }
   const Vec3& middle() const { return middle_; }    ///< the mean point
-  double reach() const;                            ///< m, from the middle to the farthest, of samples
+  double reach() const;                             ///< m, from the middle to the farthest; after gather() of samples
   double meanSigma() const { return mean_sigma_; }  ///< m, noise of the distance to a surface
   kernels::FitPoints view() const { return {x_.data(), y_.data(), z_.data(), inverse_tolerance_.data(), x_.size()}; }
   kernels::MomentSums moments() const;

@@ -112,24 +112,21 @@ kernels::RunOfPoints Labeling::pointsFrom(std::size_t begin) const {
   return {cloud_->x.data() + begin, cloud_->y.data() + begin, cloud_->z.data() + begin, some_.layout.stride()};
 }
 
-/// In an image, every second row; elsewhere neighbours in a row may be far apart, and all of a small thing count.
-std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const {
-  constexpr std::uint64_t kRowsDrawn = 0x0000ffff0000ffffu;
-  const bool in_image = some_.layout.inImage();
-  if (of_run_.empty()) return in_image ? kRowsDrawn : ~std::uint64_t{0};
-  const auto everySecondRow = [&](const kernels::RunOfPoints& points) {
-    return kernels::loops().unexplained(tolerance, of_run_.data(), of_run_.size(), points);
-  };
-  const auto allRows = [&](const kernels::RunOfPoints& p) {
+std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance, Rows rows) const {
+  if (of_run_.empty()) return rows == Rows::all ? ~std::uint64_t{0} : kernels::kEverySecondRow;
+  const auto inRows = [&](const kernels::RunOfPoints& p) {
     constexpr std::size_t kRow = kernels::kPointsPerRow;
-    return everySecondRow(p) | everySecondRow({p.x + kRow, p.y + kRow, p.z + kRow, p.stride}) << kRow;
+    const auto from = [&](const kernels::RunOfPoints& first) {
+      return kernels::loops().unexplained(tolerance, of_run_.data(), of_run_.size(), first);
+    };
+    if (rows == Rows::every_second) return from(p);
+    return from(p) | from({p.x + p.stride, p.y + p.stride, p.z + p.stride, p.stride}) << kRow;
   };
   const std::size_t begin = some_.layout.firstPointOf(run);
   const kernels::RunOfPoints points = pointsFrom(begin);
-  if (in_image) return everySecondRow(points);
-  if (cloud_->size() - begin >= kRun) return allRows(points);
+  if (some_.layout.inImage() || cloud_->size() - begin >= kRun) return inRows(points);
   const LastRun last(points, cloud_->size() - begin);
-  return allRows(last.points());
+  return inRows(last.points());
 }
 
 /// wanted: by each detection; none: all are. Runs are near no other.
@@ -167,11 +164,11 @@ void Labeling::label(const std::vector<Detection>& detections, const Tolerance& 
 void Labeling::labelWithout(const std::vector<Detection>& detections, const List<bool>& wanted,
                             const Tolerance& tolerance, const PointRuns& runs, const List<LabelRun>& labelled,
                             std::vector<std::uint32_t>& labels) {
-  const RunLayout& layout = runs.layout;
+  const RunLayout& layout = some_.layout;
   List<bool> concerned(numberOfRuns(*cloud_), false);
   for (const LabelRun& run : labelled) {
     if (wanted[run.label - 1]) continue;
-    // No two of a row of points that is that long are in the same row of a run: each is looked at once at least.
+    // Sixteen points from a multiple of sixteen on are one row of one run.
     constexpr std::uint32_t kStep = kernels::kPointsPerRow;
     for (std::uint32_t k = run.begin; k < run.end; k = (k / kStep + 1) * kStep) concerned[layout.runOf(k)] = true;
   }
@@ -189,13 +186,13 @@ void Labeling::labelWithout(const std::vector<Detection>& detections, const List
 }
 
 void Labeling::findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance,
-                               const PointRuns& runs, List<std::uint64_t>& unexplained) {
+                               const PointRuns& runs, Rows rows, List<std::uint64_t>& unexplained) {
   const kernels::FlatTolerance flat = flattened(tolerance.noise, tolerance.deviations);
   unexplained.resize(runs.size());
   prepare(detections, {}, runs, flat);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     gatherTargets(runs, k);
-    unexplained[k] = unexplainedOf(runs.number[k], flat);
+    unexplained[k] = unexplainedOf(runs.number[k], flat, rows);
   }
 }
 

@@ -40,10 +40,13 @@ class Labeling {
   void labelWithout(const std::vector<Detection>& detections, const List<bool>& wanted, const Tolerance& tolerance,
                     const PointRuns& runs, const List<LabelRun>& labelled, std::vector<std::uint32_t>& labels);
 
-  /// A bit for each point of these runs (see PointRuns::measured), set where it would get no label; of missing points
-  /// any. In an image, of every second row: samples are drawn from these, of all points they would be no better.
+  /// Which points of a run are looked at.
+  enum class Rows { all, every_second };
+
+  /// A bit for each point of these runs (see PointRuns::measured), set where it is looked at and would get no label; of
+  /// missing points any.
   void findUnexplained(const std::vector<Detection>& detections, const Tolerance& tolerance, const PointRuns& runs,
-                       List<std::uint64_t>& unexplained);
+                       Rows rows, List<std::uint64_t>& unexplained);
 
  private:
   struct Target {
@@ -63,7 +66,7 @@ class Labeling {
   void gatherTargets(const PointRuns& runs, std::size_t k);
   void labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const;
   kernels::RunOfPoints pointsFrom(std::size_t begin) const;
-  std::uint64_t unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance) const;
+  std::uint64_t unexplainedOf(std::size_t run, const kernels::FlatTolerance& tolerance, Rows rows) const;
 
   const Cloud* cloud_ = nullptr;
   PointRuns all_, some_;

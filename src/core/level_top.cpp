@@ -152,7 +152,9 @@ LevelTops::LevelTops(const Cloud& cloud, const Plane& plane, const Vec3& level, 
   if (pieces_.size() < 2) return;
   const Vec3 up = plane.normal.dot(level) < 0.0 ? Vec3(-level) : level;
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  const Piece& main = *mostLevel(cloud, up, sigma, kAny);
+  const Piece* const found = mostLevel(cloud, up, sigma, kAny);
+  if (!found) return;  // in a plane through the sensor, which sees none
+  const Piece& main = *found;
   const double as_found = misfit(cloud, main.points, plane, sigma);
   const double uneven = misfit(cloud, main.points, {main.mean, up}, sigma);
   if (uneven > as_found + margin(main.points)) return;

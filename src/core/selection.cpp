@@ -187,7 +187,7 @@ struct Offer {
 };
 
 /// The best of the offers, of two as good the one of lower index; null: none is worth anything. What is known is looked
-/// at first, and then what promises most, so that few others need be asked.
+/// at first, and then what promised most at first, so that few others need be asked.
 Offer* bestOf(List<Offer>& offers, const Choice& choice) {
   Offer* best = nullptr;
   const auto compare = [&best](Offer& offer) {

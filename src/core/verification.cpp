@@ -194,7 +194,8 @@ void Verification::split(const Segment& segment, const HeldGains& held) {
   }
 }
 
-/// What is too large for the bins of radii, or for near pairs to turn, is found in facets: the whole competes with them.
+/// What is too large for the bins of radii, or for near pairs to turn, is found in facets: the whole competes with
+/// them.
 void Verification::joinFacets() {
   if (!scale_.depth_camera) return;
   List<std::uint32_t> number(pool_.size(), kOther);

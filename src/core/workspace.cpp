@@ -156,7 +156,10 @@ void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>&
   if (round == 0) {
     sampler.begin(cloud, runs);
   } else {
-    labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs, unexplained);
+    // Where windows are fitted to pixels, samples lie some pixels apart: of every row they would be no better.
+    const bool windows = depth_camera && !brings_normals;
+    labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs,
+                             windows ? Labeling::Rows::every_second : Labeling::Rows::all, unexplained);
     sampler.keepTo(unexplained);
   }
   sampler.draw(std::min(atThisEffort(count), mostSamples(cloud)), static_cast<std::uint64_t>(params.seed) + round,
@@ -184,8 +187,8 @@ void Detector::Workspace::measureScale() {
   // and pairs are far apart, 1 % of small objects are lost with 64.
   constexpr std::size_t kBatchOfDepth = 64, kBatchOfOthers = 256;
   search.setBatch(depth_camera ? kBatchOfDepth : kBatchOfOthers);
-  // Of a cylinder from so near that its radius is 1.5 times what is seen of it 24 deg are in view: about as little as
-  // its curvature needs to be clear (curvature.h).
+  // Of a cylinder that lies across the short side of an image from so near that its radius is 1.5 times the diagonal 24
+  // deg are in view: about as little as its curvature needs to be clear (curvature.cpp).
   constexpr double kOfView = 1.5;
   const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
   verification.begin({result.scene_diameter, depth_camera, stretch, view_radius});

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/far_sides.h"
 #include "core/workspace.h"
 
 namespace primitect {
@@ -33,14 +32,14 @@ void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, cons
   List<std::uint32_t> label_of(1, before);
   for (std::size_t k = 1; k < tops.tops().size(); ++k) {
     const LevelTops::Top& top = tops.tops()[k];
-    label_of.push_back(all * top.count >= least * seen ? addTop(top.plane, of) : kFarSide);
+    label_of.push_back(all * top.count >= least * seen ? addTop(top.plane, of) : 0u);
   }
   const Cloud& cloud = thinned.cloud();
   for (const LabelRun& run : runs) {
     if (run.label != before) continue;
     for (std::uint32_t i = run.begin; i < run.end; ++i) {
       const int top = tops.topAt({cloud.x[i], cloud.y[i], cloud.z[i]});
-      labels[i] = top == LevelTops::kNone ? kFarSide : label_of[top];
+      labels[i] = top == LevelTops::kNone ? 0u : label_of[top];
     }
   }
 }

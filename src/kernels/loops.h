@@ -111,6 +111,9 @@ struct Balls {
 /// Points are labelled in runs of so many: short enough to lie close together, long enough that what is done once for
 /// each costs little. A run has four rows.
 constexpr std::size_t kPointsPerRun = 64, kPointsPerRow = 16;
+/// Bits of the points in every second row of a run, from the first on.
+constexpr std::uint64_t kEverySecondRow = 0x0000ffff0000ffff;
+constexpr std::size_t kPointsOfThese = kPointsPerRun / 2;
 
 /// The points of a run, of which some may be NaN. stride: from the first point of a row to that of the next;
 /// kPointsPerRow where all follow each other.
@@ -221,7 +224,7 @@ struct Loops {
   void (*label)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
                 const RunOfPoints& points, std::uint32_t* labels);
 
-  /// A bit for each point of a run, the first one lowest: set in the first and third row where `label` gives none.
+  /// A bit for each point of a run, the first one lowest: set in every second row where `label` gives none.
   std::uint64_t (*unexplained)(const FlatTolerance& tolerance, const LabelTarget* targets, std::size_t count,
                                const RunOfPoints& points);
 

@@ -5,12 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "primitect/detector.h"
 #include "synthetic/frame.h"
 #include "synthetic/paper_dataset.h"
 #include "synthetic/tabletop.h"
+#include "test/support/rendered_cloud.h"
 
 namespace primitect {
 namespace {
@@ -71,6 +74,37 @@ TEST_F(Allocations, AreNoneInDepthFramesThatWereSeen) {
   Detector detector{Params()};
   warmUp(clouds, detector);
   for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
+}
+
+/// Two boxes beside each other, 2 mm apart in height, from above.
+Cloud topsOfNearlyOneHeight() {
+  const auto at = [](double x, double z) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Vec3(x, 0.0, z);
+    return pose;
+  };
+  synthetic::World world;
+  world.add("table", synthetic::Box{0.6, 0.4, 0.01}, at(0.0, -0.01));
+  for (const int side : {-1, 1}) {
+    const double height = 0.04 + 0.001 * side;
+    world.add("box", synthetic::Box{0.05, 0.05, 0.5 * height}, at(0.075 * side, 0.5 * height));
+  }
+  Eigen::Isometry3d pose(Eigen::AngleAxisd(-0.75 * M_PI, Vec3::UnitX()));
+  pose.pretranslate(0.9 * Vec3(0.0, -std::sqrt(0.5), std::sqrt(0.5)));
+  return test::renderedCloud(world, synthetic::FrameParams(), 1, pose);
+}
+
+TEST_F(Allocations, AreNoneWhereTopsAreTakenApart) {
+  const std::vector<Cloud> clouds = {topsOfNearlyOneHeight()};
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  const auto& items = detector.detect(clouds[0]).items;
+  const auto tops = std::count_if(items.begin(), items.end(), [&](const Detection& item) {
+    const Plane* plane = std::get_if<Plane>(&item.shape);
+    return plane && std::abs(plane->normal.dot(std::get<Plane>(items[0].shape).normal)) > 0.999;
+  });
+  EXPECT_EQ(tops, 3) << "the table's and two of boxes";
+  EXPECT_EQ(allocationsOf(clouds[0], detector), 0u);
 }
 
 TEST_F(Allocations, AreNoneInDepthFramesThatLostTheirOrder) {

@@ -93,7 +93,7 @@ TEST_P(CloseHeights, AreBothFoundOnce) {
         }
       }
       // Where they are 1 mm and a few samples apart, one plane over both may pass for a level one. Half were missing.
-      EXPECT_GE(once, tops - 1) << 1e3 * higher << " mm, " << sizes.length << " m";
+      EXPECT_GE(once, higher < 0.0015 ? tops - 1 : tops) << 1e3 * higher << " mm, " << sizes.length << " m";
     }
   }
 }

@@ -316,12 +316,16 @@ TEST(Detector, RefusesASliverForAPlaneInAnImage) {
   EXPECT_EQ(planesWith(32, 24, 0.5), 2u) << "of fewer samples, each stands for more pixels, and fewer are asked for";
 }
 
-TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
-  // A ball of 60 points on a table of 20000: too few samples in one round, when there is no closer look.
+/// A ball of 60 points on a table of 20000: too few samples in one round, when there is no closer look.
+Cloud tableWithFewPointsOfABall() {
   Random random(44);
   std::vector<SurfacePoint> points = patchOf(kTable, 20000, 0.5, random);
   for (const SurfacePoint& p : patchOf(kBall, 60, random)) points.push_back(p);
-  const Cloud cloud = test::cloudOf(points);
+  return test::cloudOf(points);
+}
+
+TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
+  const Cloud cloud = tableWithFewPointsOfABall();
   Params params;
   params.closer_samples = 0;
   params.rounds = 1;
@@ -334,6 +338,29 @@ TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
   ASSERT_TRUE(sphere);
   EXPECT_NEAR(sphere->radius, kBall.radius, 0.003);
   EXPECT_TRUE(only<Plane>(result));
+}
+
+/// The points of a cloud with normals in the rows 1, 3, 5, ... of an organized one; those between are missing.
+Cloud inEverySecondRow(const Cloud& list) {
+  constexpr std::size_t kWidth = 160;
+  const std::size_t rows = (list.size() + kWidth - 1) / kWidth;
+  Cloud image;
+  image.reset(kWidth, static_cast<std::uint32_t>(4 * ((2 * rows + 3) / 4)), true);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::size_t place = i + (i / kWidth + 1) * kWidth;
+    image.setPoint(place, list.x[i], list.y[i], list.z[i], {});
+    image.nx[place] = list.nx[i], image.ny[place] = list.ny[i], image.nz[place] = list.nz[i];
+  }
+  return image;
+}
+
+TEST(Detector, LooksCloserAtWhateverRowsOfAnOrganizedCloudArePresent) {
+  const Cloud cloud = inEverySecondRow(tableWithFewPointsOfABall());
+  ASSERT_EQ(cloud.valid_count, 20060u);
+  Detector detector{Params()};
+  const Sphere* sphere = only<Sphere>(detector.detect(cloud));
+  ASSERT_TRUE(sphere);
+  EXPECT_NEAR(sphere->radius, kBall.radius, 0.003);
 }
 
 }  // namespace

@@ -208,25 +208,30 @@ TEST(LabelPoints, OfLongStretchesAllGoToOthers) {
   EXPECT_EQ(std::count(labels.begin(), labels.end(), 1u), 0);
 }
 
+void expectUnexplainedIn(const Cloud& cloud, Labeling::Rows rows, const std::vector<Detection>& items) {
+  Labeling labeling;
+  labeling.begin(cloud);
+  std::vector<std::uint32_t> labels;
+  List<std::uint64_t> unexplained;
+  labeling.label(items, kOfDepthCamera, labeling.allRuns(), labels);
+  labeling.findUnexplained(items, kOfDepthCamera, labeling.allRuns(), rows, unexplained);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::size_t run = i / kernels::kPointsPerRun, place = i % kernels::kPointsPerRun;
+    const std::size_t point = labeling.allRuns().layout.point(run, place);
+    if (!cloud.valid(point)) continue;
+    const bool free = unexplained[run] >> place & 1;
+    const bool looked_at = rows == Labeling::Rows::all || place / kernels::kPointsPerRow % 2 == 0;
+    ASSERT_EQ(free, looked_at && labels[point] == 0) << i;
+  }
+}
+
 TEST(Unexplained, AreThePointsWithoutALabel) {
+  const std::vector<Detection> items = detections();
   for (const Cloud& cloud : {cloudInOrder(), asImage(cloudInOrder())}) {
-    const std::vector<Detection> items = detections();
-    Labeling labeling;
-    labeling.begin(cloud);
-    std::vector<std::uint32_t> labels;
-    List<std::uint64_t> unexplained;
-    for (const std::size_t count : {items.size(), std::size_t{1}, std::size_t{0}}) {
-      const std::vector<Detection> some(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count));
-      labeling.label(some, kOfDepthCamera, labeling.allRuns(), labels);
-      labeling.findUnexplained(some, kOfDepthCamera, labeling.allRuns(), unexplained);
-      for (std::size_t i = 0; i < cloud.size(); ++i) {
-        const bool free = unexplained[i / kernels::kPointsPerRun] >> i % kernels::kPointsPerRun & 1;
-        const std::size_t point =
-            labeling.allRuns().layout.point(i / kernels::kPointsPerRun, i % kernels::kPointsPerRun);
-        if (cloud.valid(point)) {
-          const bool looked_at = !cloud.organized() || i / kernels::kPointsPerRow % 2 == 0;
-          ASSERT_EQ(free, looked_at && labels[point] == 0) << i;
-        }
+    for (const Labeling::Rows rows : {Labeling::Rows::all, Labeling::Rows::every_second}) {
+      for (const std::ptrdiff_t count :
+           {static_cast<std::ptrdiff_t>(items.size()), std::ptrdiff_t{1}, std::ptrdiff_t{0}}) {
+        expectUnexplainedIn(cloud, rows, {items.begin(), items.begin() + count});
       }
     }
   }
