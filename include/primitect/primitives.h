@@ -100,7 +100,7 @@ constexpr float kUnknown = -1.0f;
 struct Detection {
   Shape shape;
   Extent extent;
-  float votes = 0.0f;  ///< weight of all votes that were merged into it
+  float votes = 0.0f;  ///< of the candidate that it grew from (verify: false: of all that were merged); 0: of facets
   /// Points of the cloud on its observed part, of a large cloud extrapolated; not verified: samples.
   std::uint32_t inlier_count = 0;
   float rms_error = kUnknown;          ///< of the inliers' distances (m)
