@@ -82,6 +82,7 @@ struct Detector::Workspace {
   std::size_t atThisEffort(int count) const;
   int inliersAtThisEffort() const;
   double pixelsOfSample(const Cloud& cloud);
+  Labeling::Rows rowsFor(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
   void measureScale();
