@@ -28,6 +28,13 @@ bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
   return noise.ofDepthCamera() && tube && tube->radius < kLeastRadius * sigma;
 }
 
+/// A plane through the camera is seen as a line. What lies in it is one row or column of an image.
+bool edgeOn(const Shape& shape, const Vec3& seen, const NoiseModel& noise) {
+  constexpr double kLeastSine = 0.02;  // of the angle between the plane and the way to it: 1.1 deg
+  const Plane* plane = std::get_if<Plane>(&shape);
+  return noise.ofDepthCamera() && plane && std::abs(plane->normal.dot(seen)) < kLeastSine * seen.norm();
+}
+
 /// Where a fit begins.
 struct Start {
   Shape shape;
@@ -176,6 +183,7 @@ class Fits {
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
     if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_.noise)) return false;
+    if (edgeOn(*shape, points_.middle(), rules_.noise)) return false;
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);
     judge(*shape, start.concave);

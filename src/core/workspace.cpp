@@ -154,7 +154,9 @@ std::size_t Detector::Workspace::mostSamples(const Cloud& cloud) {
 Labeling::Rows Detector::Workspace::rowsFor(const Cloud& cloud) {
   constexpr double kFewestPixels = 12.0;  // a sample every third row and more
   const bool far_apart = !arrangement.projected() && pixelsOfSample(cloud) >= kFewestPixels;
-  return far_apart ? Labeling::Rows::every_second : Labeling::Rows::all;
+  // Runs that follow each other have no rows: half of them would be stripes of columns in many images.
+  const bool rows = labeling.someRuns().layout.inImage();
+  return far_apart && rows ? Labeling::Rows::every_second : Labeling::Rows::all;
 }
 
 /// Draws samples from the points that none of these explains.

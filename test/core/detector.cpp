@@ -365,5 +365,29 @@ TEST(Detector, LooksCloserAtWhateverRowsOfAnImageWithNormalsAreThere) {
   EXPECT_GT(detector.samples().count, static_cast<std::size_t>(params.samples)) << "of the first round alone";
 }
 
+/// A plane that leans away, exact, in an image of which only some rows are there.
+Cloud rowsOfALeaningPlane(std::uint32_t rows, std::uint32_t first, std::uint32_t last) {
+  constexpr std::uint32_t kWidth = 640;
+  constexpr double kFocal = 525.0;
+  const Plane plane{{0.0, 0.0, 1.0}, Vec3(0.3, -0.5, -0.8).normalized()};
+  Cloud cloud;
+  cloud.reset(kWidth, rows, false);
+  for (std::uint32_t row = first; row < last; ++row) {
+    for (std::uint32_t column = 0; column < kWidth; ++column) {
+      const Vec3 ray((column - 319.5) / kFocal, (row + 0.5 - 0.5 * rows) / kFocal, 1.0);
+      const Eigen::Vector3f at = (plane.normal.dot(plane.point) / plane.normal.dot(ray) * ray).cast<float>();
+      cloud.setPoint(row * kWidth + column, at.x(), at.y(), at.z(), {});
+    }
+  }
+  return cloud;
+}
+
+TEST(Detector, TakesARowOfPixelsForNoPlane) {
+  Detector detector{Params()};
+  EXPECT_TRUE(detector.detect(rowsOfALeaningPlane(480, 200, 201)).items.empty());
+  EXPECT_TRUE(detector.detect(rowsOfALeaningPlane(1, 0, 1)).items.empty());
+  EXPECT_EQ(detector.detect(rowsOfALeaningPlane(480, 100, 400)).items.size(), 1u);
+}
+
 }  // namespace
 }  // namespace primitect
