@@ -124,7 +124,7 @@ std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolera
   };
   const std::size_t begin = some_.layout.firstPointOf(run);
   const kernels::RunOfPoints points = pointsFrom(begin);
-  if (some_.layout.inImage() || cloud_->size() - begin >= kRun) return inRows(points);
+  if (cloud_->size() - begin >= kRun) return inRows(points);
   const LastRun last(points, cloud_->size() - begin);
   return inRows(last.points());
 }

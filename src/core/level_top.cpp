@@ -110,17 +110,22 @@ void LevelTops::findPieces(const Cloud& cloud, const List<std::uint32_t>& points
   for (Piece& piece : pieces_) piece.mean /= static_cast<double>(piece.points.size());
 }
 
+void LevelTops::measurePieces(const Cloud& cloud, const Vec3& level, const PointNoise& sigma) {
+  for (Piece& piece : pieces_) {
+    piece.uneven = misfit(cloud, piece.points, {piece.mean, level}, sigma);
+    piece.by_noise = misfitByNoise(cloud, piece.points, level);
+  }
+}
+
 /// Of no top yet, with the most points that lie level; of pieces whose misfit is less than so many times what noise
 /// makes of a face, null where there is none.
-const LevelTops::Piece* LevelTops::mostLevel(const Cloud& cloud, const Vec3& level, const PointNoise& sigma,
-                                             double most_uneven) const {
+const LevelTops::Piece* LevelTops::mostLevel(double most_uneven) const {
   const Piece* best = nullptr;
   double most = -std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces_) {
     if (piece.top != kNone) continue;
-    const double uneven = misfit(cloud, piece.points, {piece.mean, level}, sigma);
-    const double agreed = static_cast<double>(piece.points.size()) - 0.5 * uneven;
-    if (!(agreed > most) || !(uneven < most_uneven * misfitByNoise(cloud, piece.points, level))) continue;
+    const double agreed = static_cast<double>(piece.points.size()) - 0.5 * piece.uneven;
+    if (!(agreed > most) || !(piece.uneven < most_uneven * piece.by_noise)) continue;
     most = agreed;
     best = &piece;
   }
@@ -133,8 +138,7 @@ void LevelTops::gatherTop(const Cloud& cloud, const Plane& at, const PointNoise&
   Vec3 sum = Vec3::Zero();
   for (Piece& piece : pieces_) {
     if (piece.top != kNone) continue;
-    const double at_its_own = misfit(cloud, piece.points, {piece.mean, at.normal}, sigma);
-    if (misfit(cloud, piece.points, at, sigma) > at_its_own + margin(piece.points)) continue;
+    if (misfit(cloud, piece.points, at, sigma) > piece.uneven + margin(piece.points)) continue;
     piece.top = static_cast<int>(tops_.size());
     top.count += piece.points.size();
     sum += static_cast<double>(piece.points.size()) * piece.mean;
@@ -152,18 +156,18 @@ LevelTops::LevelTops(const Cloud& cloud, const Plane& plane, const Vec3& level, 
   if (pieces_.size() < 2) return;
   const Vec3 up = plane.normal.dot(level) < 0.0 ? Vec3(-level) : level;
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  const Piece* const found = mostLevel(cloud, up, sigma, kAny);
+  measurePieces(cloud, up, sigma);
+  const Piece* const found = mostLevel(kAny);
   if (!found) return;  // in a plane through the sensor, which sees none
   const Piece& main = *found;
   const double as_found = misfit(cloud, main.points, plane, sigma);
-  const double uneven = misfit(cloud, main.points, {main.mean, up}, sigma);
-  if (uneven > as_found + margin(main.points)) return;
+  if (main.uneven > as_found + margin(main.points)) return;
   gatherTop(cloud, {main.mean, up}, sigma);
   // The upper side of a ring, cut off by what is allowed around the plane, has 1.6 to 1.9 times as much as noise, faces
   // up to 1.5 times.
   constexpr double kAsEven = 1.6;
-  const double most_uneven = kAsEven * std::max(1.0, uneven / misfitByNoise(cloud, main.points, up));
-  while (const Piece* next = mostLevel(cloud, up, sigma, most_uneven)) gatherTop(cloud, {next->mean, up}, sigma);
+  const double most_uneven = kAsEven * std::max(1.0, main.uneven / main.by_noise);
+  while (const Piece* next = mostLevel(most_uneven)) gatherTop(cloud, {next->mean, up}, sigma);
   if (tops_.front().count == points.size()) tops_.clear();
 }
 

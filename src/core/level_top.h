@@ -49,13 +49,16 @@ class LevelTops {
   struct Piece {
     List<std::uint32_t> points;
     Vec3 mean = Vec3::Zero();
+    double uneven = 0.0;    ///< its misfit where it lies level
+    double by_noise = 0.0;  ///< what noise makes of it
     int top = kNone;
   };
 
   template <class Use>
   void forCellsAround(int cell, const Use& use) const;
   void findPieces(const Cloud& cloud, const List<std::uint32_t>& points);
-  const Piece* mostLevel(const Cloud& cloud, const Vec3& level, const PointNoise& sigma, double most_uneven) const;
+  void measurePieces(const Cloud& cloud, const Vec3& level, const PointNoise& sigma);
+  const Piece* mostLevel(double most_uneven) const;
   void gatherTop(const Cloud& cloud, const Plane& at, const PointNoise& sigma);
 
   Grid grid_;

@@ -148,7 +148,9 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   measureToTheEnds(detection.shape, points_, detection.extent);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
-  if (noise_.ofDepthCamera()) detection.confidence *= static_cast<float>(trustInFit(detection.shape, points_, sigma_));
+  if (noise_.ofDepthCamera()) {
+    detection.confidence *= static_cast<float>(trustInFit(detection.shape, detection.rms_error, points_, sigma_));
+  }
   if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
     const Plane& plane = std::get<Plane>(detection.shape);

@@ -27,17 +27,21 @@ SeenPoints ballWithStep(const Sphere& ball, double step) {
   return points;
 }
 
+double trustIn(const Shape& shape, const SeenPoints& points) {
+  return trustInFit(shape, rmsDistance(shape, points), points, sigma);
+}
+
 TEST(TrustInFit, IsFullWithinTheNoiseAndNoneOfWhatStraysClearly) {
   const Sphere ball = {Vec3(0, 0, 1), 0.06};
-  EXPECT_EQ(trustInFit(ball, ballWithStep(ball, 1.2 * kSigma), sigma), 1.0);
-  EXPECT_NEAR(trustInFit(ball, ballWithStep(ball, 1.35 * kSigma), sigma), 0.5, 0.01);
-  EXPECT_EQ(trustInFit(ball, ballWithStep(ball, 1.5 * kSigma), sigma), 0.0);
+  EXPECT_EQ(trustIn(ball, ballWithStep(ball, 1.2 * kSigma)), 1.0);
+  EXPECT_NEAR(trustIn(ball, ballWithStep(ball, 1.35 * kSigma)), 0.5, 0.01);
+  EXPECT_EQ(trustIn(ball, ballWithStep(ball, 1.5 * kSigma)), 0.0);
 }
 
 TEST(TrustInFit, IsFullOfOtherKinds) {
   const Sphere ball = {Vec3(0, 0, 1), 0.06};
   const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitY(), 0.06};
-  EXPECT_EQ(trustInFit(tube, ballWithStep(ball, 0.01), sigma), 1.0);
+  EXPECT_EQ(trustIn(tube, ballWithStep(ball, 0.01)), 1.0);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(PartOfAnImage, HasMoreSamplesWhereEachBringsItsOwnNormal) {
   for (std::vector<float>* normals : {&alone.nx, &alone.ny, &alone.nz}) normals->assign(alone.size(), none);
   for (std::size_t i = 0; i < alone.size(); ++i) {
     if (!alone.valid(i)) continue;
-    const Vec3 away = (Vec3(alone.x[i], alone.y[i], alone.z[i]) - scene.ball.center).normalized();
+    const Vec3 away = scene.normalAt({alone.x[i], alone.y[i], alone.z[i]});
     alone.nx[i] = static_cast<float>(away.x()), alone.ny[i] = static_cast<float>(away.y());
     alone.nz[i] = static_cast<float>(away.z());
   }

@@ -36,6 +36,11 @@ struct BallAndWall {
     return cloud;
   }
 
+  /// Of the surface that a point (m) was seen on.
+  Vec3 normalAt(const Vec3& point) const {
+    return point.z() < wall - 0.1 ? Vec3((point - ball.center).normalized()) : Vec3(-Vec3::UnitZ());
+  }
+
   /// How many pixels of an image are not on the wall.
   double onBall(const Cloud& image) const {
     const auto nearer = [this](float z) { return z < wall - 0.1; };
