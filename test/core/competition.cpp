@@ -65,6 +65,23 @@ std::optional<Vec3> normalOfPlaneOn(const std::vector<test::SurfacePoint>& point
   return plane ? std::optional<Vec3>(plane->normal) : std::nullopt;
 }
 
+/// A plane of 0.2 m x 0.2 m around (0, 0, 1) that turns so far (rad) out of the line of sight.
+std::vector<test::SurfacePoint> nearlyEdgeOn(double turn) {
+  const Vec3 along(0, std::sin(turn), std::cos(turn)), normal(0, std::cos(turn), -std::sin(turn));
+  Random random(83);
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 way = random.uniform(-0.1, 0.1) * Vec3::UnitX() + random.uniform(-0.1, 0.1) * along;
+    points.push_back({Vec3::UnitZ() + way, normal});
+  }
+  return points;
+}
+
+TEST(Competition, LeavesOutAPlaneThatIsSeenEdgeOn) {
+  EXPECT_TRUE(normalOfPlaneOn(nearlyEdgeOn(0.05)));
+  EXPECT_FALSE(normalOfPlaneOn(nearlyEdgeOn(0.01)));
+}
+
 TEST(Competition, LaysAPlaneOnANarrowStripAsItsNormalsSay) {
   const std::optional<Vec3> normal = normalOfPlaneOn(askewStrip(0.0));
   ASSERT_TRUE(normal);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "test/support/ball_and_wall.h"
 #include "test/support/scenes.h"
 #include "test/support/stages.h"
 
@@ -336,24 +337,16 @@ TEST(Detector, LooksInASecondRoundAtWhatTheFirstLeft) {
   EXPECT_TRUE(only<Plane>(result));
 }
 
-/// 320 x 240 pixels of a wall and a ball before it, with normals, of which only rows 1, 3, 5, ... are there.
-Cloud everySecondRowOfWallAndBall() {
-  constexpr int kWidth = 320, kHeight = 240;
-  constexpr double kFocal = 280.0;
-  const Sphere ball{{0.0, 0.0, 1.0}, 0.1};
+/// With normals; only rows 1, 3, 5, ... are there.
+Cloud everySecondRowOf(const test::BallAndWall& scene) {
+  const Cloud image = scene.image(50);
   Cloud cloud;
-  cloud.reset(kWidth, kHeight, true);
-  for (int row = 1; row < kHeight; row += 2) {
-    for (int column = 0; column < kWidth; ++column) {
-      const Vec3 ray = Vec3((column - 159.5) / kFocal, (row - 119.5) / kFocal, 1.0).normalized();
-      const double along = ray.dot(ball.center), half_sq = along * along - ball.center.squaredNorm() + 0.01;
-      const Vec3 point = half_sq > 0.0 ? Vec3((along - std::sqrt(half_sq)) * ray) : Vec3(1.2 / ray.z() * ray);
-      const Vec3 normal = half_sq > 0.0 ? Vec3((point - ball.center) / ball.radius) : Vec3(0.0, 0.0, -1.0);
-      const auto i = static_cast<std::size_t>(row * kWidth + column);
-      const Eigen::Vector3f at = point.cast<float>(), up = normal.cast<float>();
-      cloud.setPoint(i, at.x(), at.y(), at.z(), {});
-      cloud.nx[i] = up.x(), cloud.ny[i] = up.y(), cloud.nz[i] = up.z();
-    }
+  cloud.reset(image.width, image.height, true);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (i / image.width % 2 == 0) continue;
+    const Eigen::Vector3f normal = scene.normalAt({image.x[i], image.y[i], image.z[i]}).cast<float>();
+    cloud.setPoint(i, image.x[i], image.y[i], image.z[i], {});
+    cloud.nx[i] = normal.x(), cloud.ny[i] = normal.y(), cloud.nz[i] = normal.z();
   }
   return cloud;
 }
@@ -361,7 +354,7 @@ Cloud everySecondRowOfWallAndBall() {
 TEST(Detector, LooksCloserAtWhateverRowsOfAnImageWithNormalsAreThere) {
   const Params params;
   Detector detector{params};
-  EXPECT_TRUE(only<Sphere>(detector.detect(everySecondRowOfWallAndBall())));
+  EXPECT_TRUE(only<Sphere>(detector.detect(everySecondRowOf(test::BallAndWall()))));
   EXPECT_GT(detector.samples().count, static_cast<std::size_t>(params.samples)) << "of the first round alone";
 }
 
@@ -382,7 +375,7 @@ Cloud rowsOfALeaningPlane(std::uint32_t rows, std::uint32_t first, std::uint32_t
   return cloud;
 }
 
-TEST(Detector, TakesARowOfPixelsForNoPlane) {
+TEST(Detector, TakesALineOfPointsForNoPlane) {
   Detector detector{Params()};
   EXPECT_TRUE(detector.detect(rowsOfALeaningPlane(480, 200, 201)).items.empty());
   EXPECT_TRUE(detector.detect(rowsOfALeaningPlane(1, 0, 1)).items.empty());

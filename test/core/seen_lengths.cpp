@@ -37,9 +37,9 @@ TEST(SeenLengths, GoNearlyToTheEndsOfCylindersAndCones) {
     SCOPED_TRACE(kindName(kind));
     ASSERT_GE(of_kind.size(), 40u);
     std::sort(of_kind.begin(), of_kind.end());
-    EXPECT_GT(of_kind[of_kind.size() / 2], 0.97);
-    EXPECT_GT(of_kind.front(), 0.8);
     // Against those of the pixels' middles: ends lie up to a pixel farther, 2 % of the length in the mean.
+    EXPECT_GT(of_kind[of_kind.size() / 2], 1.0) << "without the outer 1 % of the points";
+    EXPECT_GT(of_kind.front(), 0.8);
     EXPECT_LT(of_kind[of_kind.size() * 95 / 100], 1.13);
     // One in a hundred, in 120 tables, takes points of what stands behind it.
     EXPECT_LT(of_kind.back(), 1.4);
