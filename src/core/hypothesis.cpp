@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 
 #include "core/flat.h"
@@ -53,19 +54,24 @@ void forGains(const Samples& samples, const HeldGains& held, double widen, float
 void beginSupport(const Samples& samples, Hypothesis& hypothesis) {
   hypothesis.support.clear();
   hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
+  hypothesis.on.assign(samples.size() / 64 + 1, 0);
 }
 
 /// Takes the gains of a block of samples into the support, and notes the block.
 void take(const float* gains, const SampleBlock& block, Hypothesis& hypothesis) {
-  std::array<Support, SampleBlocks::kSize> taken;
-  std::size_t count = 0;
-  for (std::size_t i = block.begin; i < block.end; ++i) {
-    const float gain = gains[i - block.begin];
-    taken[count] = {static_cast<std::uint32_t>(i), gain};
-    count += gain > kernels::kNoGain ? 1 : 0;
+  const std::size_t size = block.end - block.begin, before = hypothesis.support.size();
+  const std::uint64_t near = kernels::loops().above(gains, size, kernels::kNoGain);
+  const std::uint64_t on = kernels::loops().above(gains, size, 0.0f);
+  hypothesis.support.resize(before + std::bitset<64>(near).count());
+  Support* support = hypothesis.support.data() + before;
+  for (std::uint64_t rest = near; rest != 0; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctzll(rest));
+    *support++ = {static_cast<std::uint32_t>(block.begin + i), gains[i]};
   }
-  hypothesis.support.insert(hypothesis.support.end(), taken.begin(), taken.begin() + count);
   hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
+  const std::size_t word = block.begin / 64, shift = block.begin % 64;
+  hypothesis.on[word] |= on << shift;
+  if (shift > 0 && on >> (64 - shift) != 0) hypothesis.on[word + 1] |= on >> (64 - shift);
 }
 
 /// Fills score, gain_sum and inliers, and calls use(block, gains) for each block with samples near the shape.
@@ -153,6 +159,15 @@ bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {
   return false;
 }
 
+std::size_t commonInliers(const Hypothesis& a, const Hypothesis& b) {
+  const std::size_t count = std::min(a.on.size(), b.on.size());
+  std::size_t both = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (const std::uint64_t common = a.on[k] & b.on[k]) both += std::bitset<64>(common).count();
+  }
+  return both;
+}
+
 void hold(const Hypothesis& hypothesis, HeldGains& held) {
   for (const Support& support : hypothesis.support) {
     held[support.sample] = std::max(held[support.sample], support.gain);
@@ -165,6 +180,7 @@ void withhold(const List<std::uint32_t>& samples, Hypothesis& hypothesis) {
     return std::binary_search(samples.begin(), samples.end(), at.sample);
   };
   support.erase(std::remove_if(support.begin(), support.end(), among), support.end());
+  for (const std::uint32_t i : samples) hypothesis.on[i / 64] &= ~(std::uint64_t{1} << i % 64);
   hypothesis.gain_sum = 0.0;
   hypothesis.inliers = 0;
   for (const Support& kept : support) {
@@ -172,6 +188,11 @@ void withhold(const List<std::uint32_t>& samples, Hypothesis& hypothesis) {
     hypothesis.gain_sum += kept.gain;
     ++hypothesis.inliers;
   }
+}
+
+void silence(Hypothesis& hypothesis) {
+  hypothesis.support.clear();
+  hypothesis.on.clear();
 }
 
 void inliersOf(const Hypothesis& hypothesis, List<std::uint32_t>& inliers) {

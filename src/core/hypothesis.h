@@ -33,10 +33,14 @@ struct Hypothesis {
   double gain_sum = 0.0;       ///< of the gains above 0
   std::size_t inliers = 0;     ///< samples with a gain above 0
   List<std::uint64_t> blocks;  ///< bits: in which blocks of samples there is support
+  List<std::uint64_t> on;      ///< bits: which samples are inliers
 };
 
 /// False when they have no sample in common.
 bool mayOverlap(const Hypothesis& a, const Hypothesis& b);
+
+/// How many samples are inliers of both.
+std::size_t commonInliers(const Hypothesis& a, const Hypothesis& b);
 
 /// The best gain that any hypothesis has at each sample; nothing yet: 0.
 using HeldGains = List<float>;
@@ -82,6 +86,9 @@ void hold(const Hypothesis& hypothesis, HeldGains& held);
 
 /// Takes these samples (rising indices) from the support; the score stays.
 void withhold(const List<std::uint32_t>& samples, Hypothesis& hypothesis);
+
+/// Nothing is explained any more.
+void silence(Hypothesis& hypothesis);
 
 /// Score that a shape with so many inliers pays for its parameters: a plane has three, a cone six.
 double priceOf(Kind kind, double inliers);

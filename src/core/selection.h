@@ -5,13 +5,11 @@
 
 #include <cstdint>
 
+#include "core/choice.h"
 #include "core/frame_memory.h"
 #include "core/hypothesis.h"
 
 namespace primitect {
-
-/// Which hypothesis a sample belongs to: index in the pool.
-constexpr std::uint32_t kNobody = 0xffffffffu;
 
 struct Selection {
   List<std::uint32_t> chosen;  ///< indices in the pool, in the order in which they were chosen
@@ -28,5 +26,10 @@ bool alike(const Hypothesis& a, const Hypothesis& b);
 /// chosen one costs: its price and the samples near it that it does not fit and nobody explains. Greedy, then with
 /// exchanges until nothing improves. Each chosen one owns at least min_inliers samples.
 Selection selectHypotheses(const Samples& samples, const List<Hypothesis>& pool, std::size_t min_inliers);
+
+/// The same from where the last selection ended, once some of those that it chose explain nothing any more (no support)
+/// and others may have joined the pool: only what these have to do with is looked at again.
+Selection selectAgain(const Samples& samples, const List<Hypothesis>& pool, std::size_t min_inliers,
+                      const List<std::uint32_t>& before);
 
 }  // namespace primitect

@@ -114,18 +114,21 @@ void Verification::conclude() {
   refit();
   settle();
   for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
-    select();
+    selectAgain();
     settle();
   }
   // What took the place of the last ones refused may be unlikely, too.
   const auto unlikely = [this](const Segment& segment) { return segment.confidence < params_.min_confidence; };
   segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+    return a.inliers.size() != b.inliers.size() ? a.inliers.size() > b.inliers.size() : a.hypothesis < b.hypothesis;
+  });
 }
 
 /// Planes apart, and how likely everything is.
 void Verification::settle() {
   constexpr int kTimes = 3;  // what takes the place of one plane may be another of that sort
-  for (int time = 0; time < kTimes && separate(); ++time) select();
+  for (int time = 0; time < kTimes && separate(); ++time) selectAgain();
   assess();
 }
 
@@ -153,6 +156,16 @@ void Verification::dropLikenesses() {
 
 void Verification::select() {
   selection_ = selectHypotheses(samples_, pool_, needed(params_));
+  segmentSelected();
+}
+
+/// After some of what was chosen has lost its support, and others have joined the pool.
+void Verification::selectAgain() {
+  selection_ = primitect::selectAgain(samples_, pool_, needed(params_), selection_.chosen);
+  segmentSelected();
+}
+
+void Verification::segmentSelected() {
   dropLikenesses();
   List<std::size_t> segment_of(pool_.size(), 0);
   segments_.clear();
@@ -309,7 +322,7 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
       return false;  // of a smaller one nothing is left, but it tilts the others no longer
     }
   }
-  pool_[segment.hypothesis].support.clear();
+  silence(pool_[segment.hypothesis]);
   std::move(apart.begin(), apart.end(), std::back_inserter(pool_));
   return true;
 }
@@ -333,7 +346,7 @@ bool Verification::refuseUnlikely() {
   bool any = false;
   for (const Segment& segment : segments_) {
     if (segment.confidence >= params_.min_confidence) continue;
-    pool_[segment.hypothesis].support.clear();  // explains nothing any more
+    silence(pool_[segment.hypothesis]);
     ++refusals_[Refusal::unlikely];
     any = true;
   }

@@ -50,6 +50,8 @@ class Verification {
 
   /// Selects from all that was proposed, as it was proposed: fits again have time until conclude().
   void select();
+  void selectAgain();
+  void segmentSelected();
 
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   List<std::uint32_t> unexplained();

@@ -190,6 +190,9 @@ struct Loops {
   GainSums (*gains)(const FlatShape& shape, float side, float scale, const JudgedSamples& samples, std::size_t begin,
                     std::size_t end, float* gain);
 
+  /// A bit for each of up to 64 values, the first one lowest: set where it is above the limit.
+  std::uint64_t (*above)(const float* values, std::size_t count, float limit);
+
   /// scale: of the tolerances, inverse. A cone is given by the middle of a circle around its axis and that one's
   /// radius, to all other loops by its apex.
   void (*normalEquations)(const FlatShape& shape, const FlatTurn& turn, const FitPoints& points, float scale,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -266,6 +267,34 @@ TEST(Score, DoesNotCountSamplesBeyondTheReachOfAShapeAgainstIt) {
   evaluate(samples, HeldGains(samples.size(), 0.0f), 1.0, hypothesis);
   EXPECT_NEAR(hypothesis.score, 64.0 - priceOf(Kind::plane, 64.0), 64.0 * kRounding);
   EXPECT_EQ(hypothesis.support.size(), 64u);
+}
+
+std::size_t countedInCommon(const Hypothesis& a, const Hypothesis& b) {
+  List<std::uint32_t> of_a, of_b, both;
+  inliersOf(a, of_a), inliersOf(b, of_b);
+  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(both));
+  return both.size();
+}
+
+TEST(CommonInliers, AreThoseInBothLists) {
+  // The second draw's blocks begin where the first draw's last one ended early.
+  Random random(12);
+  Samples samples = test::noisySamples(test::patchOf(kPlane, 150, 0.2, random), 0.2, random);
+  samples.append(test::noisySamples(test::patchOf(kPlane, 333, 0.2, random), 0.2, random));
+  Hypothesis plane = hypothesisOf(kPlane, samples);
+  const Hypothesis tilted =
+      hypothesisOf(Plane{kPlane.point, (kPlane.normal + Vec3(0.02, 0.0, 0.0)).normalized()}, samples);
+  ASSERT_GT(countedInCommon(plane, tilted), 60u);
+  ASSERT_LT(countedInCommon(plane, tilted), std::min(plane.inliers, tilted.inliers));
+  EXPECT_EQ(commonInliers(plane, tilted), countedInCommon(plane, tilted));
+  EXPECT_EQ(commonInliers(plane, plane), plane.inliers);
+  List<std::uint32_t> some;
+  for (std::uint32_t i = 0; i < samples.size(); i += 3) some.push_back(i);
+  withhold(some, plane);
+  EXPECT_EQ(commonInliers(plane, plane), plane.inliers);
+  EXPECT_EQ(commonInliers(plane, tilted), countedInCommon(plane, tilted));
+  silence(plane);
+  EXPECT_EQ(commonInliers(plane, tilted), 0u);
 }
 
 TEST(Price, GrowsWithTheParametersOfTheKindAndWithTheInliers) {

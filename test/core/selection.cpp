@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "test/support/hypotheses.h"
 #include "test/support/scenes.h"
@@ -55,6 +56,63 @@ SurfacePoint pointAt(const Plane& plane, double x, double y) {
 
 using Indices = List<std::uint32_t>;
 
+/// Nine versions of a table, as fits to parts of it would give: shifted by a millimetre, turned by half a degree.
+std::vector<Shape> versionsOfATable() {
+  std::vector<Shape> planes;
+  for (const double turn : {-0.01, 0.0, 0.01}) {
+    for (const double shift : {-0.001, 0.0, 0.001}) {
+      planes.push_back(Plane{Vec3(0, 0, 1.0 + shift), Vec3(turn, 0, -1).normalized()});
+    }
+  }
+  return planes;
+}
+
+Samples samplesOfATable() {
+  Random random(23);
+  return noisySamples(patchOf(Plane{Vec3(0, 0, 1), Vec3(0, 0, -1)}, 600, 0.2, random), kTurn, random);
+}
+
+TEST(Choice, TellsAtOnceWhatItWouldTellOnceEachHadLeft) {
+  const Samples samples = samplesOfATable();
+  const List<Hypothesis> pool = poolOf(versionsOfATable(), samples);
+  Choice choice(samples.size(), pool, kFewest);
+  for (const std::uint32_t h : {0u, 4u, 8u}) choice.add(h);
+  List<WorthWithout> worths;
+  std::size_t told = 0;
+  for (const std::uint32_t h : {1u, 2u, 3u, 5u, 7u}) {
+    choice.worthsOfAdding(h, worths);
+    told += worths.size();
+    for (const std::uint32_t gone : choice.order()) {
+      Choice without = choice;
+      without.remove(gone);
+      const auto named = [gone](const WorthWithout& worth) { return worth.gone == gone; };
+      const auto told_worth = std::find_if(worths.begin(), worths.end(), named);
+      // Of those that leave it no sample nothing is told: their leaving does not help it.
+      const Worth worth = told_worth == worths.end() ? choice.worthOfAdding(h) : told_worth->worth;
+      EXPECT_NEAR(worth.gain, without.worthOfAdding(h).gain, 1e-9);
+      EXPECT_NEAR(worth.total, without.worthOfAdding(h).total, 1e-9);
+    }
+  }
+  EXPECT_GT(told, 10u);
+}
+
+TEST(Choice, GoesBackToWhatItWas) {
+  const Samples samples = samplesOfATable();
+  const List<Hypothesis> pool = poolOf(versionsOfATable(), samples);
+  Choice choice(samples.size(), pool, kFewest);
+  choice.add(0), choice.add(4);
+  const double total = choice.total();
+  const Indices order = choice.order(), owners = choice.owners();
+  const Choice::State state = choice.state();
+  choice.remove(0), choice.add(8), choice.add(0);
+  ASSERT_NE(choice.total(), total);
+  choice.restore(state);
+  EXPECT_EQ(choice.total(), total);
+  EXPECT_EQ(choice.order(), order);
+  EXPECT_EQ(choice.owners(), owners);
+  EXPECT_TRUE(choice.holds(0) && !choice.holds(8));
+}
+
 TEST(Selection, OfNothingIsNothing) {
   EXPECT_TRUE(selectHypotheses(Samples(), {}, kFewest).chosen.empty());
   const Selection none = selectHypotheses(twoBalls(), {}, kFewest);
@@ -103,17 +161,7 @@ TEST(Selection, TakesTheBetterOfTwoVersionsWhereverItStands) {
 }
 
 TEST(Selection, CountsNearlyEqualPlanesOnce) {
-  Random random(23);
-  const Plane table = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
-  const Samples samples = noisySamples(patchOf(table, 600, 0.2, random), kTurn, random);
-  // Versions as fits to parts of the table would give: shifted by a millimetre, turned by half a degree.
-  std::vector<Shape> planes;
-  for (const double turn : {-0.01, 0.0, 0.01}) {
-    for (const double shift : {-0.001, 0.0, 0.001}) {
-      planes.push_back(Plane{Vec3(0, 0, 1.0 + shift), Vec3(turn, 0, -1).normalized()});
-    }
-  }
-  EXPECT_EQ(chosenOf(planes, samples), (Indices{4}));
+  EXPECT_EQ(chosenOf(versionsOfATable(), samplesOfATable()), (Indices{4}));
 }
 
 TEST(Selection, TakesTwoPlanesRatherThanOneConeOverTwoFaces) {
@@ -124,28 +172,86 @@ TEST(Selection, TakesTwoPlanesRatherThanOneConeOverTwoFaces) {
   EXPECT_EQ(chosenOf({box.cone, box.front, box.top}, samples), (Indices{1, 2}));
 }
 
-TEST(Selection, ExchangesALargeWrongShapeForTwoRightOnes) {
-  // A strip bent by 8 deg in its middle: a wide cylinder explains more samples of it than either half does, well
-  // enough to be chosen first.
-  Random random(25);
-  const double bend = 4.0 * M_PI / 180.0;
-  const Plane left = {Vec3(0, 0, 1), Vec3(-std::sin(bend), 0, -std::cos(bend))};
-  const Plane right = {Vec3(0, 0, 1), Vec3(std::sin(bend), 0, -std::cos(bend))};
-  std::vector<SurfacePoint> points;
-  for (int i = 0; i < 800; ++i) {
-    const Plane& plane = i < 400 ? left : right;
-    const double x = i < 400 ? random.uniform(-0.08, 0.0) : random.uniform(0.0, 0.08);
-    points.push_back(pointAt(plane, x, random.uniform(-0.1, 0.1)));
-  }
-  const Samples samples = samplesWith(kNoiseModel, measured(points, 0.5 * kNoise, 0.02, random));
+/// A strip bent by 8 deg in its middle: a wide cylinder explains more samples of it than either half does, well enough
+/// to be chosen first.
+struct BentStrip {
+  static constexpr double kBend = 4.0 * M_PI / 180.0;
   // Normals turn by 8 deg over 8 cm between the middles of the halves; in between the strip is at most 1.4 mm off.
-  const double radius = 0.08 / (2.0 * bend);
-  const Cylinder cylinder = {Vec3(0, 0, 1.0 + radius + 0.0007), Vec3(0, 1, 0), radius};
-  const std::vector<Shape> shapes = {cylinder, left, right};
+  static constexpr double kRadius = 0.08 / (2.0 * kBend);
+  const Plane left = {Vec3(0, 0, 1), Vec3(-std::sin(kBend), 0, -std::cos(kBend))};
+  const Plane right = {Vec3(0, 0, 1), Vec3(std::sin(kBend), 0, -std::cos(kBend))};
+  const Cylinder cylinder = {Vec3(0, 0, 1.0 + kRadius + 0.0007), Vec3(0, 1, 0), kRadius};
+
+  std::vector<SurfacePoint> points(Random& random) const {
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < 800; ++i) {
+      const Plane& plane = i < 400 ? left : right;
+      const double x = i < 400 ? random.uniform(-0.08, 0.0) : random.uniform(0.0, 0.08);
+      points.push_back(pointAt(plane, x, random.uniform(-0.1, 0.1)));
+    }
+    return measured(points, 0.5 * kNoise, 0.02, random);
+  }
+};
+
+TEST(Selection, ExchangesALargeWrongShapeForTwoRightOnes) {
+  Random random(25);
+  const BentStrip strip;
+  const Samples samples = samplesWith(kNoiseModel, strip.points(random));
+  const std::vector<Shape> shapes = {strip.cylinder, strip.left, strip.right};
   const List<Hypothesis> pool = poolOf(shapes, samples);
   ASSERT_GT(pool[0].score, pool[1].score);
   ASSERT_GT(pool[0].score, pool[2].score);
   EXPECT_EQ(chosenOf(shapes, samples), (Indices{1, 2}));
+}
+
+List<std::uint32_t> chosenAgain(const Samples& samples, const List<Hypothesis>& pool, const Indices& before) {
+  List<std::uint32_t> chosen = selectAgain(samples, pool, kFewest, before).chosen;
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+TEST(SelectionAgain, PutsTheNextBestInThePlaceOfWhatWasRefused) {
+  const Samples samples = twoBalls();
+  const Sphere shifted = {kBall.center + Vec3(0.002, 0, 0), kBall.radius};
+  List<Hypothesis> pool = poolOf({kBall, shifted, kOtherBall}, samples);
+  ASSERT_EQ(selectHypotheses(samples, pool, kFewest).chosen, (Indices{0, 2}));
+  silence(pool[0]);
+  const Selection again = selectAgain(samples, pool, kFewest, {0, 2});
+  EXPECT_EQ(again.chosen, (Indices{2, 1}));  // what stays comes first
+  EXPECT_EQ(again.owner, selectHypotheses(samples, pool, kFewest).owner);
+}
+
+TEST(SelectionAgain, LeavesEverythingAsItWasWhereNothingWasRefused) {
+  const Samples samples = twoBalls();
+  const List<Hypothesis> pool = poolOf({kBall, kOtherBall}, samples);
+  const Selection first = selectHypotheses(samples, pool, kFewest),
+                  again = selectAgain(samples, pool, kFewest, first.chosen);
+  EXPECT_EQ(again.chosen, first.chosen);
+  EXPECT_EQ(again.owner, first.owner);
+}
+
+TEST(SelectionAgain, ExchangesWhatCameInstead) {
+  Random random(25);
+  const BentStrip strip;
+  const Samples samples = samplesWith(kNoiseModel, strip.points(random));
+  List<Hypothesis> pool = poolOf({strip.cylinder, strip.left, strip.right, strip.cylinder}, samples);
+  silence(pool[3]);
+  EXPECT_EQ(chosenAgain(samples, pool, {3}), (Indices{1, 2}));
+}
+
+TEST(SelectionAgain, TriesOnlyWhatIsNextToWhatWasRefused) {
+  Random random(25);
+  const BentStrip strip;
+  const std::vector<SurfacePoint> ball = patchOf(Sphere{Vec3(0.6, 0, 1), 0.1}, 256, random);  // four blocks of its own
+  const Samples samples = samplesWith(kNoiseModel, together(ball, strip.points(random)));
+  // As if the cylinder had been tried before the halves were there: what was refused tells whether it is tried now.
+  List<Hypothesis> pool =
+      poolOf({strip.cylinder, strip.left, strip.right, Sphere{Vec3(0.6, 0, 1), 0.1}, strip.cylinder}, samples);
+  ASSERT_FALSE(mayOverlap(pool[0], pool[3]));
+  silence(pool[3]);
+  EXPECT_EQ(chosenAgain(samples, pool, {0, 3}), (Indices{0}));
+  silence(pool[4]);
+  EXPECT_EQ(chosenAgain(samples, pool, {0, 4}), (Indices{1, 2}));
 }
 
 TEST(Selection, LeavesOutWhatOwnsFewerThanTheLeast) {

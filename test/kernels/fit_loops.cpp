@@ -88,6 +88,24 @@ TEST(Gains, AreThoseOfTheShapeOnEveryInstructionSet) {
   }
 }
 
+TEST(Above, HasABitForEachValueAboveTheLimit) {
+  Random random(82);
+  for (std::size_t count = 0; count <= 64; ++count) {
+    std::vector<float> values;
+    for (std::size_t k = 0; k < count; ++k) values.push_back(static_cast<float>(random.uniform(-1.0, 1.0)));
+    if (count > 3) values[1] = kMissing, values[2] = 0.0f, values[3] = -0.0f;
+    for (const float limit : {0.0f, 0.3f, kernels::kNoGain}) {
+      std::uint64_t truth = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (values[k] > limit) truth |= std::uint64_t{1} << k;
+      }
+      for (const kernels::Loops* loops : kernels::allLoops()) {
+        EXPECT_EQ(loops->above(values.data(), count, limit), truth) << loops->name << " " << count;
+      }
+    }
+  }
+}
+
 /// The same sums in double, point by point.
 kernels::NormalEquations plainEquations(const Shape& shape, const Samples& samples, const Vec3& beside, double scale) {
   kernels::NormalEquations sums = {};

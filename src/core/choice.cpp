@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums over supports, with the best and the second best holder of each sample; see choice.h.
+#include "core/choice.h"
+
+#include <algorithm>
+
+namespace primitect {
+
+Choice::Choice(std::size_t samples, const List<Hypothesis>& pool, std::size_t min_inliers)
+    : pool_(pool),
+      min_inliers_(static_cast<double>(min_inliers)),
+      state_{List<bool>(pool.size(), false),
+             {},
+             List<Standing>(pool.size()),
+             List<Holder>(samples),
+             List<Holder>(samples)},
+      inheritances_(pool.size()),
+      left_(samples, 0) {}
+
+Worth Choice::worthOfAdding(std::uint32_t h) const {
+  Tally tally;
+  for (const Support& support : pool_[h].support) tally.add(support.gain, state_.best[support.sample].gain);
+  return worthOf(h, tally);
+}
+
+void Choice::worthsOfAdding(std::uint32_t h, List<WorthWithout>& worths) {
+  for (const std::uint32_t kept : state_.order) inheritances_[kept] = Inheritance();
+  Tally all;
+  for (const Support& support : pool_[h].support) {
+    const Holder& best = state_.best[support.sample];
+    all.add(support.gain, best.gain);
+    if (best.hypothesis == kNobody) continue;
+    Inheritance& inheritance = inheritances_[best.hypothesis];
+    inheritance.held.add(support.gain, best.gain);
+    inheritance.left.add(support.gain, state_.second[support.sample].gain);
+  }
+  worths.clear();
+  for (const std::uint32_t gone : state_.order) {
+    const Tally &held = inheritances_[gone].held, &left = inheritances_[gone].left;
+    if (!(left.better > 0.0)) continue;
+    Tally tally;
+    tally.gain = all.gain - held.gain + left.gain;
+    tally.against = all.against - held.against + left.against;
+    tally.better = all.better - held.better + left.better;
+    worths.push_back({gone, worthOf(h, tally)});
+  }
+}
+
+void Choice::add(std::uint32_t h) {
+  for (const std::uint32_t kept : state_.order) {
+    if (mayOverlap(pool_[kept], pool_[h])) state_.standings[kept].known = false;
+  }
+  state_.chosen[h] = true;
+  state_.standings[h].known = false;
+  state_.order.push_back(h);
+  for (const Support& support : pool_[h].support) enter(h, support);
+}
+
+void Choice::remove(std::uint32_t h) {
+  state_.chosen[h] = false;
+  state_.order.erase(std::find(state_.order.begin(), state_.order.end(), h));
+  ++removal_;
+  for (const Support& support : pool_[h].support) {
+    Holder &best = state_.best[support.sample], &second = state_.second[support.sample];
+    if (best.hypothesis != h && second.hypothesis != h) continue;
+    best = second = Holder();
+    left_[support.sample] = removal_;
+  }
+  for (const std::uint32_t kept : state_.order) {
+    if (!mayOverlap(pool_[kept], pool_[h])) continue;
+    state_.standings[kept].known = false;
+    for (const Support& support : pool_[kept].support) {
+      if (left_[support.sample] == removal_) enter(kept, support);
+    }
+  }
+}
+
+std::uint32_t Choice::worthless() {
+  std::uint32_t weakest = kNobody;
+  double least = 0.0;
+  for (const std::uint32_t h : state_.order) {
+    const double worth = standingOf(h).keeping;
+    if (worth > least) continue;
+    least = worth;
+    weakest = h;
+  }
+  return weakest;
+}
+
+double Choice::total() {
+  double sum = 0.0;
+  for (const std::uint32_t h : state_.order) sum += standingOf(h).share;
+  return sum;
+}
+
+List<std::uint32_t> Choice::owners() const {
+  List<std::uint32_t> owner(state_.best.size());
+  for (std::size_t i = 0; i < state_.best.size(); ++i) owner[i] = state_.best[i].hypothesis;
+  return owner;
+}
+
+Worth Choice::worthOf(std::uint32_t h, const Tally& tally) const {
+  if (tally.better < least(h)) return {tally.gain, -1.0};
+  return {tally.gain, tally.gain + tally.against - price(h, tally.better)};
+}
+
+const Choice::Standing& Choice::standingOf(std::uint32_t h) {
+  Standing& standing = state_.standings[h];
+  if (standing.known) return standing;
+  double gain = 0.0, lost = 0.0, against = 0.0;
+  std::size_t all = 0, without_other = 0;
+  for (const Support& support : pool_[h].support) {
+    const Holder& best = state_.best[support.sample];
+    if (best.hypothesis == h) {
+      gain += best.gain;
+      ++all;
+      const float other = state_.second[support.sample].gain;
+      if (other >= kWellExplained) continue;
+      lost += best.gain - other;
+      ++without_other;
+    } else if (best.gain <= 0.0f) {
+      against += support.gain;
+    }
+  }
+  const double owned = static_cast<double>(all), missed = static_cast<double>(without_other);
+  standing.known = true;
+  standing.share = gain + against - price(h, owned);
+  standing.keeping = missed < least(h) ? -1.0 : lost + against - price(h, missed);
+  return standing;
+}
+
+/// A shape that shares most of its inliers with others is one of them once more.
+double Choice::least(std::uint32_t h) const {
+  constexpr double kOwnShare = 0.3;
+  return std::max(min_inliers_, kOwnShare * static_cast<double>(pool_[h].inliers));
+}
+
+double Choice::price(std::uint32_t h, double own) const {
+  return priceOf(kindOf(pool_[h].shape), own) + 0.25 * min_inliers_;
+}
+
+void Choice::enter(std::uint32_t h, const Support& support) {
+  Holder& best = state_.best[support.sample];
+  Holder& second = state_.second[support.sample];
+  if (support.gain > best.gain) {
+    second = best;
+    best = {h, support.gain};
+  } else if (support.gain > second.gain) {
+    second = {h, support.gain};
+  }
+}
+
+}  // namespace primitect
