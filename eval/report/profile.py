@@ -26,8 +26,8 @@ STEPS = (
     Step("look closer", "fits again", ("Verification::refit", "Verification::joinFacets")),
     Step("look closer", "tops taken apart", ("Verification::separate",)),
     Step("look closer", "evidence, rivals, confidence", ("Verification::assess",)),
-    Step("look closer", "choice of what explains the samples best", ("selectHypotheses", "Verification::select",
-                                                                    "Verification::conclude")),
+    Step("look closer", "choice of what explains the samples best", (
+        "selectHypotheses", "selectAgain", "Verification::select", "Verification::conclude")),
     Step("look closer", "parts that nothing explains", ("Verification::unexplained",)),
     Step("measure", "labels of the cloud's points", ("Labeling::label",)),
     Step("measure", "points on far sides", ("markFarSides",)),

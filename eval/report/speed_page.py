@@ -88,10 +88,26 @@ def memory_table(memory):
                  "top of it at its peak.", [("", 2)], ["before", "at the peak above it"], rows)
 
 
+def recorded_table(figures, recorded):
+    """Of recorded frames; those of which no point is in range take no time that would tell anything."""
+    ours = speed.figure(figures, "detect/tabletop-640/default")
+    used = {name: one for name, one in recorded.items() if one["points"] > 0}
+    names = list(dict.fromkeys(name for one in used.values() for name in one["stages_ms"]))
+    rows = [(name, [cell(one["points"], 0), cell(one["primitives"], 0)] +
+             [cell(one["stages_ms"].get(stage), 2) for stage in names] +
+             [cell(one["median_ms"], 2), cell(one["worst_ms"], 2), cell(speed.ratio(one["median_ms"], ours), 2)])
+            for name, one in used.items()]
+    columns = ["points", "primitives"] + names + ["total", "slowest", "times tabletop"]
+    return Table("recorded", "Recorded frames, cloud in memory to primitives, by stage",
+                 "Medians, ms; compared with detect/tabletop-640/default of the same run.", [("", len(columns))], columns,
+                 rows)
+
+
 def all_tables(result):
     """Those that have rows."""
     figures = result["figures"]
     tables = [stage_table(figures, *group) for group in GROUPS]
+    tables += [recorded_table(figures, result.get("recorded", {}))]
     tables += [peer_table(figures), kernel_table(result["kernels"])]
     tables += [curve_table(figures, *one) for one in CURVES] + [memory_table(result["memory"])]
     return [table for table in tables if table.rows]

@@ -12,12 +12,13 @@ KERNELS = ("scalar", "portable", "avx2", "avx512", "neon")
 SUFFIX = "/manual_time"  # Google Benchmark appends it to the names
 
 # seconds, curve_seconds: measured in each repetition of a case; inputs: different clouds of a case;
-# largest: points of a cloud; rounds: of every kernel; peers: who else runs; cases, memory: patterns of what is measured
-Effort = namedtuple("Effort", "seconds curve_seconds repetitions inputs largest rounds peers cases memory")
-FULL = Effort(1.0, 0.3, 5, 8, 10000000, 5, ("cgal", "pcl-sac"), r".*", r"(detect|frame)/.*|(points|pixels)/10*")
-QUICK = Effort(0.1, 0.05, 2, 2, 1000000, 2, ("cgal",), r"detect/.*|peer/.*|vote/.*|frame/.*|points/1.*|pixels/10*|"
+# largest: points of a cloud; rounds: of every kernel; repeats: of a recorded frame; peers: who else runs; cases, memory:
+# patterns of what is measured
+Effort = namedtuple("Effort", "seconds curve_seconds repetitions inputs largest rounds repeats peers cases memory")
+FULL = Effort(1.0, 0.3, 5, 8, 10000000, 5, 60, ("cgal", "pcl-sac"), r".*", r"(detect|frame)/.*|(points|pixels)/10*")
+QUICK = Effort(0.1, 0.05, 2, 2, 1000000, 2, 10, ("cgal",), r"detect/.*|peer/.*|vote/.*|frame/.*|points/1.*|pixels/10*|"
                r"samples/(1280|5120)|objects/(1|8|24)", r"detect/(tabletop-640|paper)/default|frame/tabletop-640/16")
-SMOKE = Effort(0.001, 0.001, 1, 1, 100000, 1, (), r"detect/(wall|clutter)-640/.*|vote/paper|frame/wall-640/16|"
+SMOKE = Effort(0.001, 0.001, 1, 1, 100000, 1, 2, (), r"detect/(wall|clutter)-640/.*|vote/paper|frame/wall-640/16|"
                r"points/10000|pixels/10000|samples/1280|objects/1", r"detect/wall-640/default")
 
 
@@ -121,3 +122,23 @@ def memory_cases(cases, effort):
 def memory_of(program, case, effort):
     """{"input_kb", "peak_kb", ...} of a case in a process of its own."""
     return json.loads(run([program, "--memory", case, "--inputs", str(effort.inputs)]))
+
+
+def recorded_times(detect, folder, effort):
+    """{file: {"points", "primitives", "median_ms", "worst_ms", "stages_ms"}} of all PCDs in a folder, cloud in memory to
+    primitives. Raises Failed without any."""
+    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".pcd"))
+    if not names:
+        raise Failed("%s: no PCD" % folder)
+    recorded = {}
+    with tempfile.TemporaryDirectory() as results:
+        path = os.path.join(results, "found.json")
+        for name in names:
+            run([detect, os.path.join(folder, name), "--repeat", str(effort.repeats), "--json", path])
+            with open(path, encoding="utf-8") as file:
+                found = json.load(file)
+            stages = {stage: time for stage, time in found["timing_ms"].items() if stage not in ("read", "total")}
+            recorded[name] = {"points": found["points_used"], "primitives": len(found["primitives"]),
+                              "median_ms": found["timing_ms"]["total"], "worst_ms": found["timing_max_ms"]["total"],
+                              "stages_ms": stages}
+    return recorded

@@ -134,6 +134,13 @@ def test_every_table_and_plot_is_made_of_what_there_is():
     assert set(made) == {"detect", "peers", "kernels", "points", "memory"}
     assert "| paper/default | 1.00 | 1.50 | 2.50 |" in tables.markdown(made["detect"])
     assert "| cgal | 2.5 | 1.0 |" in tables.markdown(made["peers"])
+    frame = {"points": 1200, "primitives": 3, "median_ms": 5.0, "worst_ms": 7.5, "stages_ms": {"vote": 2.0}}
+    recorded = {"mug.pcd": frame, "far.pcd": {"points": 0, "primitives": 0, "median_ms": 0.0, "worst_ms": 0.0,
+                                              "stages_ms": {}}}
+    tabletop = dict(some, **{"detect/tabletop-640/default": some["detect/paper/default"]})
+    table = speed_page.recorded_table(tabletop, recorded)
+    assert [name for name, _ in table.rows] == ["mug.pcd"]
+    assert "| mug.pcd | 1200 | 3 | 2.00 | 5.00 | 7.50 | 2.00 |" in tables.markdown(table)
     with tempfile.TemporaryDirectory() as folder:
         assert speed_plots.stages(some, folder) == "stages.png" and speed_plots.curves(some, folder) == "scaling.png"
         assert sorted(os.listdir(folder)) == ["scaling.png", "stages.png"]
