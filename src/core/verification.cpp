@@ -109,6 +109,7 @@ List<std::uint32_t> Verification::unexplained() {
 
 void Verification::conclude() {
   constexpr int kRefusals = 4;
+  whole_planes_.clear();
   select();
   joinFacets();
   refit();
@@ -295,12 +296,23 @@ bool Verification::separate() {
   return any;
 }
 
+bool Verification::isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const {
+  return std::any_of(whole_planes_.begin(), whole_planes_.end(), [&](const WholePlane& plane) {
+    return plane.inliers == inliers && plane.level == level;
+  });
+}
+
 bool Verification::separate(const Segment& segment, const HeldGains& held) {
   // In parts, what things stand on is one plane all the same.
   if (isLargePlane(segment)) return false;
+  const std::optional<Vec3> level = levelOf(segment);
+  if (isWhole(segment.inliers, level)) return false;
   const SampleParts parts = separateParts(segment.inliers, needed(params_), graph_);
-  const SampleParts groups = coplanarGroups(samples_, parts, levelOf(segment));
-  if (groups.size() < 2) return false;
+  const SampleParts groups = coplanarGroups(samples_, parts, level);
+  if (groups.size() < 2) {
+    whole_planes_.push_back({segment.inliers, level});
+    return false;
+  }
   const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
   const List<std::uint32_t>& largest = *std::max_element(groups.begin(), groups.end(), smaller);
   List<Hypothesis> apart;

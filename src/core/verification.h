@@ -76,6 +76,12 @@ class Verification {
   Limits limits() const;
 
  private:
+  /// Samples that one plane fits, as far as this level tells.
+  struct WholePlane {
+    List<std::uint32_t> inliers;
+    std::optional<Vec3> level;
+  };
+
   ProposalRules rules() const;
   ProposalRules quickRules() const;
   void dropLikenesses();
@@ -87,6 +93,7 @@ class Verification {
   void settle();
   bool separate();
   bool separate(const Segment& segment, const HeldGains& held);
+  bool isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const;
   void assess();
   bool refuseUnlikely();
   HeldGains heldByChosen() const;
@@ -101,6 +108,7 @@ class Verification {
   List<Hypothesis> pool_;
   Selection selection_;
   List<Segment> segments_;
+  List<WholePlane> whole_planes_;  ///< found so while this frame is concluded; most are asked about several times
   Refusals refusals_;
 };
 
