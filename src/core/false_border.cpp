@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "core/flat.h"
 #include "core/pixel_ring.h"
@@ -99,22 +100,30 @@ class Borders {
 
 }  // namespace
 
-List<std::uint32_t> withoutFalseBorder(const LabelledShape& where, const Shape& shape, const NoiseModel& noise,
-                                       const List<std::uint32_t>& points) {
+FalseBorder::FalseBorder(const LabelledShape& where, const NoiseModel& noise, List<std::uint32_t> points)
+    : where_(where), noise_(noise), points_(std::move(points)) {
   const PixelRing near(where.near, where.image), far(where.far, where.image);
   const std::uint32_t* const labels = where.labels.data();
-  Borders borders(where, shape, noise);
-  List<std::uint32_t> result;
-  result.reserve(points.size());
-  for (const std::uint32_t i : points) {
-    if (far.allHave(where.label, labels, i)) {
-      result.push_back(i);
-      continue;
-    }
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const std::uint32_t i = points_[k];
+    if (far.allHave(where.label, labels, i)) continue;
     const Way to_near = near.wayOut(where.label, labels, i), to_far = far.wayOut(where.label, labels, i);
-    borders.add(i, {to_near[0] + to_far[0], to_near[1] + to_far[1]});
+    border_.push_back({k, to_near[0] + to_far[0], to_near[1] + to_far[1]});
+  }
+}
+
+List<std::uint32_t> FalseBorder::without(const Shape& shape) const {
+  Borders borders(where_, shape, noise_);
+  List<std::uint32_t> result;
+  result.reserve(points_.size());
+  std::size_t taken = 0;
+  for (const AtBorder& at : border_) {
+    result.insert(result.end(), points_.begin() + taken, points_.begin() + at.place);
+    taken = at.place + 1;
+    borders.add(points_[at.place], {at.x, at.y});
     if (borders.full()) borders.takeTrue(result);
   }
+  result.insert(result.end(), points_.begin() + taken, points_.end());
   borders.takeTrue(result);
   return result;
 }

@@ -3,6 +3,7 @@
 // The last numbers of each shape, from the points of the cloud; see workspace.h.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/clear_points.h"
 #include "core/far_sides.h"
@@ -159,8 +160,8 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
       ++result.refusals[Refusal::few_inliers];
       continue;
     }
-    const auto on_surface = [&](const Shape& fit, const auto& all) { return clear.onSurface(k, fit, all); };
-    measurement.measure(points[k], clear.of(k, points[k].index), on_surface, result.items[k]);
+    ClearPoints::OnSurface on_surface(clear, k);
+    measurement.measure(points[k], clear.of(k, points[k].index), std::ref(on_surface), result.items[k]);
     if (!within(k)) {
       ++result.refusals[Refusal::limits];
     } else if (!likely(k)) {

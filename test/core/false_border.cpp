@@ -56,7 +56,7 @@ struct LowerPart {
   }
 
   List<std::uint32_t> left(const Shape& shape) const {
-    return withoutFalseBorder({cloud, labels, 1, 3, 6}, shape, kDepthCamera, points());
+    return FalseBorder({cloud, labels, 1, 3, 6}, kDepthCamera, points()).without(shape);
   }
 };
 
