@@ -23,8 +23,9 @@ Border borderAt(const Samples& samples, const SampleGraph& graph, const List<std
                 std::uint32_t i) {
   Border border;
   for (const std::uint32_t j : graph.of(i)) {
-    if (owner[j] == self || !continuous(samples, i, j)) continue;
-    (owner[j] == kNobody ? border.runs_on : border.runs_into) = true;
+    if (owner[j] == self) continue;
+    bool& runs = owner[j] == kNobody ? border.runs_on : border.runs_into;
+    runs = runs || continuous(samples, i, j);  // one way is enough: with all, .5 % of a recorded frame's instructions
   }
   return border;
 }
