@@ -153,7 +153,11 @@ struct Count {
   /// are seen to nearly all. A ninth or two of the places settle them: with quarters, .4 % more of a table's time.
   bool settled() const {
     constexpr double kDeviations = 3.0;
+    // A share of 0.85 is then known to 0.016, in a grid rather better. Of what is seen to about so much all places were
+    // asked: 2 % of the instructions of a frame that is full of it.
+    constexpr std::size_t kMost = 500;
     if (!enough()) return false;
+    if (asked() >= kMost) return true;
     const double margin = kDeviations * std::sqrt(share() * (1.0 - share()) / static_cast<double>(asked()));
     return share() - margin > kFullTrust || share() + margin < kNoTrust;
   }
