@@ -190,10 +190,13 @@ HeldGains Verification::heldByChosen() const {
   return held;
 }
 
-/// A new version joins the others, unless it is like the one that it came from and explains no more.
+/// A new version joins the others, unless it is like the one that it came from, or any other, and explains no more.
+/// With all versions of a shape selections take up to 15 % longer in recorded frames, and find as much.
 void Verification::join(const Hypothesis& version, std::uint32_t origin) {
-  const Hypothesis& old = pool_[origin];
-  if (version.gain_sum < kMore * old.gain_sum && alike(version, old)) return;
+  const auto like = [&version](const Hypothesis& other) {
+    return version.gain_sum < kMore * other.gain_sum && mayOverlap(version, other) && alike(version, other);
+  };
+  if (like(pool_[origin]) || std::any_of(pool_.begin(), pool_.end(), like)) return;  // mostly the first
   pool_.push_back(version);
 }
 
