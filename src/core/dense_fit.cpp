@@ -4,6 +4,7 @@
 #include "core/dense_fit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -80,11 +81,13 @@ std::optional<Sphere> ballWithin(const Cone& cone, const Vec3& middle) {
   return Sphere{cone.apex + along / (cosine * cosine) * cone.axis, along * std::tan(cone.half_angle) / cosine};
 }
 
+/// From less agreement than this share of another start's a fit hardly gets to more: this saves its time.
+constexpr double kLeastAgreement = 0.75;
+
 /// The shape and its neighbours: what points that were taken for it may be as well. One that agrees much worse with
 /// them will not get there.
 List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
-  constexpr double kLeast = 0.75;  // from less agreement a fit hardly gets to more: this saves its time
-  const double needed = kLeast * agreement(shape, points, kEnoughToCompare);
+  const double needed = kLeastAgreement * agreement(shape, points, kEnoughToCompare);
   List<Shape> starts = {shape};
   const auto add = [&](const Shape& start) {
     if (agreement(start, points, kEnoughToCompare) >= needed) starts.push_back(start);
@@ -117,13 +120,36 @@ std::optional<Shape> refineOnce(const Shape& start, const FitPoints& points, Poi
   return errors == PointErrors::along_rays ? refineAlongRays(start, points, rules) : refine(start, points, rules);
 }
 
+/// The cone that touches this one along the line that its points lie around, and is as round there, but narrower.
+Cone narrowed(const Cone& cone, const SeenSide& side) {
+  constexpr double kNarrower = 0.8;
+  const double half_angle = kNarrower * cone.half_angle;
+  const Vec3 line = (side.point - cone.apex).normalized();
+  return {side.point - side.radius / std::tan(half_angle) * line,
+          std::cos(half_angle) * line - std::sin(half_angle) * side.outward, half_angle};
+}
+
+/// How wide a half-hidden cone opens about the line that it shows, its points hardly tell. From wider, where distances
+/// alone lead to, a fit along the rays stops as soon as one of them would miss the surface: six of its standard
+/// deviations from the truth, as these are small there. From narrower it comes to the middle of what is possible. NEES
+/// of 480 cones on 130 tables (seed 2000) is 0.99 instead of 1.26, for .4 % more instructions of a frame. Of a
+/// cone that is seen all around no other has that line.
+Shape startAlongRays(const Shape& fit, const FitPoints& points) {
+  const Cone* cone = std::get_if<Cone>(&fit);
+  const auto side = cone ? seenSide(*cone, points.middle()) : std::nullopt;
+  if (!side) return fit;
+  const Shape start = narrowed(*cone, *side);
+  const double needed = kLeastAgreement * agreement(fit, points, kEnoughToCompare);
+  return agreement(start, points, kEnoughToCompare) >= needed ? start : fit;
+}
+
 bool areMany(const FitPoints& points) { return points.size() >= 2 * kFew; }
 
 }  // namespace
 
 std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors) {
-  if (!areMany(points)) return refineOnce(start, points, errors);
-  return refineOnce(refineOnce(start, points.thinned(kFew), errors).value_or(start), points, errors);
+  const Shape few = areMany(points) ? refineOnce(start, points.thinned(kFew), errors).value_or(start) : start;
+  return refineOnce(errors == PointErrors::along_rays ? startAlongRays(few, points) : few, points, errors);
 }
 
 Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
