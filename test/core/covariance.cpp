@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/extent.h"
+#include "core/fitting.h"
+#include "test/support/scenes.h"
 #include "test/support/fit_errors.h"
 
 namespace primitect {
@@ -115,6 +117,30 @@ TEST(PoseCovariance, IsThatOfTheErrorsInWhatCanBeObserved) {
     }
     EXPECT_NEAR(sum / kSeeds, 1.0, 0.2) << kindName(kind);
   }
+}
+
+TEST(PoseCovariance, OfSlenderConesFarFromTheirApexIsThatOfTheErrors) {
+  constexpr int kTimes = 200, kPoints = 500;
+  constexpr double kNoise = 0.002, kFrom = 0.3, kTo = 0.38, kObservable = 5.0;
+  const Cone truth = {Vec3(-0.34, 0.0, 1.2), Vec3::UnitX(), 0.19};
+  Random random(11);
+  double sum = 0.0;
+  for (int time = 0; time < kTimes; ++time) {
+    std::vector<Vec3> measured;
+    for (int i = 0; i < kPoints; ++i) {
+      const test::SurfacePoint p = test::pointOn(truth, random.uniform(kFrom, kTo), random.uniform(-1.3, 1.3));
+      measured.push_back(p.point + kNoise * random.gaussian() * p.normal);
+    }
+    FitPoints points;
+    points.gather(SeenPoints(measured), NoiseModel{kNoise});
+    const auto fit = refine(truth, points);
+    ASSERT_TRUE(fit) << time;
+    const Extent extent = measureExtent(*fit, measured);
+    const Matrix6 covariance = poseOf(measureUncertainty(*fit, extent, measured, NoiseModel{kNoise}));
+    const double square = test::normalisedSquare(poseError(*fit, truth, extent.origin), covariance) / kObservable;
+    sum += square;
+  }
+  EXPECT_NEAR(sum / kTimes, 1.0, 0.2);
 }
 
 double trueRadius(const Shape& truth, const Extent& extent) {
