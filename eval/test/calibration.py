@@ -59,6 +59,17 @@ def test_a_large_penalty_keeps_weights_where_they_are_wanted():
     assert np.abs(logistic.fit(columns, right, 1e9, towards=towards) - towards)[1:].max() < 1e-3
 
 
+def test_weights_are_the_best_from_wherever_they_start():
+    # With features far from all others whole steps of Newton's method go to and fro.
+    for seed in range(5):
+        source, towards = np.random.default_rng(seed), np.array([0.0, 1.0, 1.0, 1.0])
+        columns = np.hstack([np.ones((200, 1)), source.standard_t(1.2, (200, 3))])
+        right = (source.random(200) < logistic.probabilities(np.array([2.0, 1.0, -1.0, 0.5]), columns)).astype(float)
+        weights = logistic.maximize(columns, right, 1.0, towards)
+        slope = columns.T @ (right - logistic.probabilities(weights, columns)) - [0.0, *(weights - towards)[1:]]
+        assert np.abs(slope).max() < 1e-4, (seed, slope)
+
+
 def test_a_penalty_keeps_weights_finite_where_right_and_wrong_are_apart():
     columns = np.array([[1.0, -1.0], [1.0, 1.0]] * 10)
     weights = logistic.fit(columns, columns[:, 1].clip(0.0), 1.0)
