@@ -20,7 +20,8 @@ PENALTY = 5.0
 SIGNS = (0, 1, 1, -1, -1, 1, 1)
 MANY = 150.0  # samples of a ball: losses of a larger one count less
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
-EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead")  # as compare's
+EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead",
+            "noise_measured")  # as compare's
 
 # numbers: those of EVIDENCE, a row a detection; right: 0 or 1 each; kind: index in KINDS
 Cases = namedtuple("Cases", "numbers right kind")
@@ -85,7 +86,7 @@ def root(numbers):
 
 def features(cases):
     """What the weights are for, a row a detection: the same as featuresOf() of src/core/evidence.cpp."""
-    inliers, gain, against, _, runs_into, _, turn, lead = cases.numbers.T
+    inliers, gain, against, _, runs_into, _, turn, lead, _ = cases.numbers.T
     curved = cases.kind != KINDS.index("plane")
     # A flaw of a large ball grows with it, and chance does not. For cylinders and cones that made no difference.
     grows = cases.kind == KINDS.index("sphere")
@@ -111,19 +112,37 @@ def fit(cases, penalty=PENALTY):
     return result
 
 
-def probabilities(weights, cases):
-    """One a detection."""
-    result = np.zeros(len(cases.right))
+def of_measured_noise(cases):
+    """Which are planes in clouds whose noise was measured."""
+    return (cases.kind == KINDS.index("plane")) & (cases.numbers[:, EVIDENCE.index("noise_measured")] > 0.0)
+
+
+def fit_measured(weights, cases):
+    """How many times farther apart right and wrong planes are where the noise was measured: a factor for the sum of
+    their features, so that what has a probability of 0.5 keeps it. 1 without right or wrong ones."""
+    chosen = of_measured_noise(cases)
+    right = cases.right[chosen]
+    if not 0 < right.sum() < len(right):
+        return 1.0
+    sums = (features(cases) @ weights["plane"])[chosen]
+    return float(logistic.maximize(sums[:, None], right, 0.0, np.ones(1))[0])
+
+
+def probabilities(weights, cases, measured=1.0):
+    """One a detection. measured: of fit_measured()."""
+    rows, sums = features(cases), np.zeros(len(cases.right))
     for kind, values in weights.items():
         chosen = cases.kind == KINDS.index(kind)
-        result[chosen] = logistic.probabilities(values, features(of_kind(cases, kind)))
-    return result
+        sums[chosen] = rows[chosen] @ values
+    sums[of_measured_noise(cases)] *= measured
+    return logistic.probabilities(np.ones(1), sums[:, None])
 
 
-def weights_text(weights):
-    """The rows of kWeights in src/core/evidence.cpp."""
+def weights_text(weights, measured):
+    """The rows of kWeights in src/core/evidence.cpp, and kMeasuredNoise."""
     rows = ("    {{%s}},  // %s\n" % (", ".join("%.3g" % value for value in weights[kind]), kind) for kind in KINDS)
-    return "constexpr std::array<Features, kKindCount> kWeights = {{\n%s}};\n" % "".join(rows)
+    return ("constexpr std::array<Features, kKindCount> kWeights = {{\n%s}};\n"
+            "constexpr double kMeasuredNoise = %.2g;\n" % ("".join(rows), measured))
 
 
 def quality_table(parts):

@@ -26,10 +26,10 @@ def made_up(weights, count, seed=1):
 def evidence(right, random):
     """Numbers that tell right from wrong, but not surely."""
     return [40.0 + 60.0 * right + 40.0 * random.random(), 0.7, 0.5 * random.random() - 0.2 * right + 0.2, 0.1, 0.1, 0.8,
-            0.3, 0.1 + 0.1 * random.random()]
+            0.3, 0.1 + 0.1 * random.random(), 0.0]
 
 
-def found(kind, verdict, numbers=(50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2), **more):
+def found(kind, verdict, numbers=(50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2, 0.0), **more):
     return dict({"kind": kind, "verdict": verdict, "confidence": 0.5, "evidence": list(numbers)}, **more)
 
 
@@ -104,11 +104,32 @@ def test_weights_of_every_kind_become_rows_of_the_core():
     weights = calibration.fit(cases)
     probability = calibration.probabilities(weights, cases)
     assert set(weights) == set(calibration.KINDS) and logistic.area_under_curve(probability, cases.right) > 0.9
-    rows = calibration.weights_text(weights).splitlines()[1:-1]
+    rows = calibration.weights_text(weights, 2.0).splitlines()[1:-2]
     assert [row.split()[-1] for row in rows] == list(calibration.KINDS)
     assert all(row.count(",") == calibration.features(cases).shape[1] for row in rows)
     assert "held out" in tables.markdown(calibration.quality_table({"held out": (probability, cases)}))
     assert len(calibration.threshold_table(probability, cases).rows) == 5
+
+
+def test_planes_of_measured_noise_are_stretched_as_far_as_their_truth_is():
+    # Twice as far as the weights say: gains of 0.4 to 0.8 around even odds at 0.6.
+    weights = {"plane": np.array([-6.0, 0.0, 10.0, 0.0, 0.0, 0.0, 0.0])}
+    random = np.random.default_rng(4)
+    gains = random.uniform(0.4, 0.8, 20000)
+    numbers = np.zeros((len(gains), len(calibration.EVIDENCE)))
+    numbers[:, 1], numbers[:, -1] = gains, 1.0
+    right = (random.random(len(gains)) < 1.0 / (1.0 + np.exp(-2.0 * (10.0 * gains - 6.0)))).astype(float)
+    measured = calibration.Cases(numbers, right, np.zeros(len(gains), int))
+    factor = calibration.fit_measured(weights, measured)
+    assert abs(factor - 2.0) < 0.1  # four standard deviations are 0.09
+    known = measured._replace(numbers=numbers * ([1.0] * (len(calibration.EVIDENCE) - 1) + [0.0]))
+    curved = measured._replace(kind=np.full(len(gains), 1))
+    assert calibration.fit_measured(weights, known) == calibration.fit_measured(weights, curved) == 1.0
+    as_is = calibration.probabilities(weights, known, factor)
+    assert np.allclose(as_is, calibration.probabilities(weights, measured))
+    stretched = calibration.probabilities(weights, measured, factor)
+    assert ((stretched > 0.5) == (as_is > 0.5)).all() and logistic.log_loss(stretched, right) < logistic.log_loss(
+        as_is, right)
 
 
 def test_a_kind_without_wrong_ones_cannot_be_fitted():

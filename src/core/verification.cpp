@@ -300,9 +300,8 @@ bool Verification::separate() {
 }
 
 bool Verification::isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const {
-  return std::any_of(whole_planes_.begin(), whole_planes_.end(), [&](const WholePlane& plane) {
-    return plane.inliers == inliers && plane.level == level;
-  });
+  return std::any_of(whole_planes_.begin(), whole_planes_.end(),
+                     [&](const WholePlane& plane) { return plane.inliers == inliers && plane.level == level; });
 }
 
 bool Verification::separate(const Segment& segment, const HeldGains& held) {
@@ -348,6 +347,7 @@ void Verification::assess() {
     const Hypothesis& hypothesis = pool_[segment.hypothesis];
     const Kind kind = kindOf(hypothesis.shape);
     segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
+    segment.evidence.noise_measured = noise_.ofDepthCamera() ? 0.0f : 1.0f;
     if (kind != Kind::plane) {
       const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
       segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));

@@ -151,6 +151,32 @@ TEST(Confidence, RisesWithTheInliers) {
   }
 }
 
+TEST(Confidence, IsFartherFromEvenOfPlanesWhereTheNoiseWasMeasured) {
+  for (const float gain : {0.2f, 0.9f}) {
+    for (const Kind kind : kKinds) {
+      Evidence known = usualEvidence(kind);
+      known.gain = gain;
+      Evidence measured = known;
+      measured.noise_measured = 1.0f;
+      const double before = confidenceOf(kind, known), after = confidenceOf(kind, measured);
+      if (kind != Kind::plane) {
+        EXPECT_EQ(after, before) << kindName(kind);
+      } else if (before > 0.5) {
+        EXPECT_GT(after, before);
+      } else {
+        EXPECT_LT(after, before);
+      }
+    }
+  }
+  const auto confidenceAt = [](float gain) {
+    Evidence evidence = usualEvidence(Kind::plane);
+    evidence.gain = gain;
+    return confidenceOf(Kind::plane, evidence);
+  };
+  EXPECT_LT(confidenceAt(0.2f), 0.5);
+  EXPECT_GT(confidenceAt(0.9f), 0.5);
+}
+
 TEST(Confidence, IsLowOfABallThatTheSurfaceLeavesAtItsBorder) {
   // A head: as good as a ball in everything else.
   Evidence head = usualEvidence(Kind::sphere);

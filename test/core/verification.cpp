@@ -311,6 +311,19 @@ TEST(Conclusion, RefusesAndCountsWhatIsUnlikely) {
   for (const Segment& segment : bounded.segments()) EXPECT_GE(segment.confidence, params.min_confidence);
 }
 
+TEST(Conclusion, TellsWhetherTheNoiseWasMeasured) {
+  Random random(101);
+  const std::vector<SurfacePoint> points = noisy(patchOf(kWall, 600, 0.4, random), random);
+  for (const bool depth_camera : {false, true}) {
+    Verification verification{Params()};
+    verification.begin({kDiameter, depth_camera});
+    addRound(verification, test::samplesOf(points), {test::candidate(kWall, points[0], 9.0)});
+    verification.conclude();
+    ASSERT_EQ(verification.segments().size(), 1u);
+    EXPECT_EQ(verification.segments()[0].evidence.noise_measured, depth_camera ? 0.0f : 1.0f);
+  }
+}
+
 TEST(Conclusion, SettlesTheShapesWithMoreSamples) {
   Random random(100);
   Frame frame;
