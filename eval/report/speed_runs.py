@@ -124,21 +124,27 @@ def memory_of(program, case, effort):
     return json.loads(run([program, "--memory", case, "--inputs", str(effort.inputs)]))
 
 
-def recorded_times(detect, folder, effort):
-    """{file: {"points", "primitives", "median_ms", "worst_ms", "stages_ms"}} of all PCDs in a folder, cloud in memory to
-    primitives. Raises Failed without any."""
-    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".pcd"))
+def recorded_frames(folder):
+    """Paths of all PCDs in a folder. Raises Failed without any."""
+    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".pcd")) if os.path.isdir(folder) else []
     if not names:
-        raise Failed("%s: no PCD" % folder)
+        raise Failed("%s: no folder with PCDs" % folder)
+    return [os.path.join(folder, name) for name in names]
+
+
+def recorded_times(detect, paths, effort):
+    """{file: {"points", "primitives", "median_ms", "worst_ms", "stages_ms"}} of PCDs, cloud in memory to primitives, by
+    the clock."""
     recorded = {}
     with tempfile.TemporaryDirectory() as results:
-        path = os.path.join(results, "found.json")
-        for name in names:
-            run([detect, os.path.join(folder, name), "--repeat", str(effort.repeats), "--json", path])
-            with open(path, encoding="utf-8") as file:
+        report = os.path.join(results, "found.json")
+        for path in paths:
+            run([detect, path, "--repeat", str(effort.repeats), "--json", report])
+            with open(report, encoding="utf-8") as file:
                 found = json.load(file)
             stages = {stage: time for stage, time in found["timing_ms"].items() if stage not in ("read", "total")}
-            recorded[name] = {"points": found["points_used"], "primitives": len(found["primitives"]),
-                              "median_ms": found["timing_ms"]["total"], "worst_ms": found["timing_max_ms"]["total"],
-                              "stages_ms": stages}
+            recorded[os.path.basename(path)] = {
+                "points": found["points_used"], "primitives": len(found["primitives"]),
+                "median_ms": found["timing_ms"]["total"], "worst_ms": found["timing_max_ms"]["total"],
+                "stages_ms": stages}
     return recorded

@@ -125,6 +125,19 @@ def test_an_effort_leaves_out_large_clouds_and_slow_peers():
     assert speed_runs.chosen(cases, speed_runs.QUICK) == ["points/1000000", "peer/cgal/paper", "detect/paper/default"]
 
 
+def test_recorded_frames_are_looked_for_before_anything_is_measured():
+    with tempfile.TemporaryDirectory() as folder:
+        for wrong in (folder, os.path.join(folder, "nowhere")):
+            try:
+                speed_runs.recorded_frames(wrong)
+                raise AssertionError("no failure")
+            except speed_runs.Failed as error:
+                assert wrong in str(error)
+        for name in ("b.pcd", "a.PCD", "labels.json"):
+            open(os.path.join(folder, name), "w", encoding="utf-8").close()
+        assert [os.path.basename(path) for path in speed_runs.recorded_frames(folder)] == ["a.PCD", "b.pcd"]
+
+
 def test_every_table_and_plot_is_made_of_what_there_is():
     some = {name: speed.figures_of(case([2.0, 3.0], {"sample": [1.0, 1.0], "vote": [1.0, 2.0]})) for name in (
         "detect/paper/default", "peer/cgal/paper", "points/10000", "points/100000")}

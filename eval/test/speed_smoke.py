@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """eval/speed --smoke from end to end with the real programs: whether everything comes out, not how fast it is.
 
-    speed_smoke.py PROGRAMS      the folder that holds bench_detector
+    speed_smoke.py PROGRAMS      the folder that holds bench_detector and detect
 """
 import json
 import os

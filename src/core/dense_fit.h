@@ -35,7 +35,8 @@ enum class PointErrors {
   along_rays  ///< of a depth camera at the origin, see along_rays.h
 };
 
-/// refine() (fitting.h) on many points: some of them show the way, and all of them take the last steps.
+/// refine() (fitting.h) on many points: some of them show the way, and all of them take the last steps. Along
+/// the rays a cone takes these from narrower.
 std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors = PointErrors::across);
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

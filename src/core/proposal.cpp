@@ -96,13 +96,6 @@ namespace {
 /// What comes of a candidate.
 enum class Outcome { nothing, known, grown };
 
-/// One of the pool is like the hypothesis, and explains about as much.
-bool isKnown(const Hypothesis& hypothesis, const List<Hypothesis>& pool) {
-  return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
-    return hypothesis.gain_sum < kMore * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
-  });
-}
-
 /// Fits the hypothesis to the set, and to all that it then explains if that is more, or until it is one of the pool.
 Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules& rules, List<std::uint32_t> set,
              const List<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {

@@ -17,9 +17,9 @@ void gather(const Samples& samples, const HeldGains& held, const Candidate& cand
 
 /// Makes hypotheses of candidates whose references are not explained yet. The samples near the candidate's shape,
 /// within reach of its reference, are fitted with all four kinds that moments promise (then by robust least squares);
-/// the kind with the best score wins, takes all samples that it fits, and competes again on these if it grew. Limits hold
-/// after every fit. What grows into a hypothesis that is known is dropped, but its samples count as explained. Where two
-/// candidates failed, no other is tried.
+/// the kind with the best score wins, takes all samples that it fits, and competes again on these if it grew. Limits
+/// hold after every fit. What grows into a hypothesis that is known is dropped, but its samples count as explained.
+/// Where two candidates failed, no other is tried.
 class Proposer {
  public:
   /// Starts with what explains the samples already.

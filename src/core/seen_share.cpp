@@ -149,7 +149,7 @@ struct Count {
     return asked() >= kFewest;
   }
 
-  /// More places would not change what is left of the confidence, as if each was seen or not on its own: most shapes
+  /// More places would hardly change what is left of the confidence, as if each was seen or not on its own: most shapes
   /// are seen to nearly all. A ninth or two of the places settle them: with quarters, .4 % more of a table's time.
   bool settled() const {
     constexpr double kDeviations = 3.0;

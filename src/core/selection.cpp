@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace primitect {
 namespace {
@@ -106,7 +107,7 @@ class Exchanges {
       if (!mayReplace(h)) continue;
       const Choice::State state = choice_.state();
       choice_.remove(h);
-      addGreedily(choice_, pool_, offers_[h]);
+      addGreedily(choice_, pool_, std::move(offers_[h]));
       // Without anything in its place nothing is gained: what was worthless is gone already.
       if (choice_.order().size() >= chosen.size()) {
         dropWorthless(choice_);
@@ -178,6 +179,12 @@ bool alike(const Hypothesis& a, const Hypothesis& b) {
   };
   if (!same(std::min(a.inliers, b.inliers))) return false;
   return same(commonInliers(a, b));
+}
+
+bool isKnown(const Hypothesis& hypothesis, const List<Hypothesis>& pool) {
+  return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
+    return hypothesis.gain_sum < kMore * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
+  });
 }
 
 Selection selectHypotheses(const Samples& samples, const List<Hypothesis>& pool, std::size_t min_inliers) {

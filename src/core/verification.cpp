@@ -50,6 +50,7 @@ void Verification::begin(const FrameScale& scale) {
   pool_.clear();
   selection_ = {};
   segments_.clear();
+  whole_planes_.clear();
   refusals_ = {};
 }
 
@@ -109,7 +110,6 @@ List<std::uint32_t> Verification::unexplained() {
 
 void Verification::conclude() {
   constexpr int kRefusals = 4;
-  whole_planes_.clear();
   select();
   joinFacets();
   refit();
@@ -121,6 +121,7 @@ void Verification::conclude() {
   // What took the place of the last ones refused may be unlikely, too.
   const auto unlikely = [this](const Segment& segment) { return segment.confidence < params_.min_confidence; };
   segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+  // Selections that go on keep what stayed in front, whatever its size.
   std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
     return a.inliers.size() != b.inliers.size() ? a.inliers.size() > b.inliers.size() : a.hypothesis < b.hypothesis;
   });
@@ -190,14 +191,10 @@ HeldGains Verification::heldByChosen() const {
   return held;
 }
 
-/// A new version joins the others, unless it is like the one that it came from, or any other, and explains no more.
-/// With all versions of a shape selections take up to 15 % longer in recorded frames, and find as much.
-void Verification::join(const Hypothesis& version, std::uint32_t origin) {
-  const auto like = [&version](const Hypothesis& other) {
-    return version.gain_sum < kMore * other.gain_sum && mayOverlap(version, other) && alike(version, other);
-  };
-  if (like(pool_[origin]) || std::any_of(pool_.begin(), pool_.end(), like)) return;  // mostly the first
-  pool_.push_back(version);
+/// A new version joins the others, unless it is like one of them and explains no more. With all versions selections
+/// take up to 15 % longer in recorded frames, and find as much.
+void Verification::join(const Hypothesis& version) {
+  if (!isKnown(version, pool_)) pool_.push_back(version);
 }
 
 /// Parts of a plane may lie in different ones.
@@ -207,7 +204,7 @@ void Verification::split(const Segment& segment, const HeldGains& held) {
   for (auto& part : stepParts(samples_, plane, segment.inliers, needed(params_))) parts.push_back(std::move(part));
   for (const List<std::uint32_t>& part : parts) {
     Hypothesis trial = pool_[segment.hypothesis];
-    if (bestOfKinds(samples_, held, part, rules(), trial)) join(trial, segment.hypothesis);
+    if (bestOfKinds(samples_, held, part, rules(), trial)) join(trial);
   }
 }
 
@@ -241,13 +238,13 @@ void Verification::refit(const Segment& segment, const HeldGains& held) {
   Hypothesis trial = pool_[segment.hypothesis];
   ProposalRules once_more = rules();
   once_more.fitted = true;
-  if (bestOfKinds(samples_, held, segment.inliers, once_more, trial)) join(trial, segment.hypothesis);
+  if (bestOfKinds(samples_, held, segment.inliers, once_more, trial)) join(trial);
   if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
   evaluate(samples_, held, kNear, trial);
   List<std::uint32_t> near;
   inliersOf(trial, near);
   if (near.size() <= segment.inliers.size() * 21 / 20) return;
-  if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial, segment.hypothesis);
+  if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial);
 }
 
 /// What was selected is fitted again; then it competes with what it was.

@@ -50,8 +50,6 @@ class Verification {
 
   /// Selects from all that was proposed, as it was proposed: fits again have time until conclude().
   void select();
-  void selectAgain();
-  void segmentSelected();
 
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   List<std::uint32_t> unexplained();
@@ -64,7 +62,8 @@ class Verification {
   /// False: nothing stood out clearly enough, and the noise is the largest that is possible.
   bool noiseMeasured() const { return noise_measured_; }
   const Samples& samples() const { return samples_; }
-  /// What was selected, with the samples of each; every sample belongs to one at most.
+  /// What was selected, with the samples of each; every sample belongs to one at most. After conclude() those
+  /// with the most samples come first.
   const List<Segment>& segments() const { return segments_; }
   const Refusals& refusals() const { return refusals_; }
   /// What things stand on: a plane with so much of the first draw, which was from all points (plane_parts.h).
@@ -84,11 +83,13 @@ class Verification {
 
   ProposalRules rules() const;
   ProposalRules quickRules() const;
+  void selectAgain();
+  void segmentSelected();
   void dropLikenesses();
   void joinFacets();
   void refit();
   void refit(const Segment& segment, const HeldGains& held);
-  void join(const Hypothesis& version, std::uint32_t origin);
+  void join(const Hypothesis& version);
   void split(const Segment& segment, const HeldGains& held);
   void settle();
   bool separate();

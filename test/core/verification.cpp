@@ -242,6 +242,32 @@ TEST(Verification, KeepsTopsOfNearlyOneHeightApartInDepthFrames) {
   }
 }
 
+TEST(Verification, AsksEachPlaneOfEachFrameWhetherItIsWhole) {
+  // Two pairs of tops, one of them level in both frames, the other in the first alone: at the same places, with the
+  // same indices.
+  constexpr double kStep = 0.006;
+  Verification verification{Params()};
+  for (const double step : {0.0, kStep}) {
+    Random random(102);
+    std::vector<SurfacePoint> points = together(plate(Vec3(-0.08, 0, 1.0), 0.05, 0.05, 150, random),
+                                                plate(Vec3(0.08, 0, 1.0 + step), 0.05, 0.05, 150, random));
+    points = together(points, together(plate(Vec3(-0.08, 0.3, 1.2), 0.05, 0.05, 160, random),
+                                       plate(Vec3(0.08, 0.3, 1.2), 0.05, 0.05, 160, random)));
+    points = together(points, plate(Vec3(0, 0, 1.35), 0.4, 0.4, 3200, random));
+    const Plane both = {Vec3(0, 0, 1.0 + 0.5 * step), Vec3(step / 0.16, 0, -1).normalized()};
+    const Plane level = {Vec3(0, 0.3, 1.2), Vec3(0, 0, -1)};
+    List<Candidate> candidates = {test::candidate(level, points[300], 9.0), test::candidate(both, points[0], 9.0)};
+    candidates[0].sample = 300;
+    verification.begin({kDiameter, true});
+    addRound(verification, test::samplesOf(points), candidates);
+    ASSERT_EQ(verification.segments().size(), 2u);
+    verification.conclude();
+    ASSERT_EQ(verification.segments().size(), step > 0.0 ? 3u : 2u);
+    EXPECT_EQ(verification.segments()[0].inliers.size(), 320u);  // the largest first
+    EXPECT_EQ(verification.segments()[1].inliers.size(), step > 0.0 ? 150u : 300u);
+  }
+}
+
 TEST(Verification, LeavesNothingForAConeOverTwoFacesOfABox) {
   Random random(97);
   const test::TwoFaces box;
