@@ -46,8 +46,8 @@ class ClearPoints {
 
   /// Those of a detection's clear points, the same each time, that lie on the curved shape which was fitted to them, in
   /// an image of a depth camera: without the border where it proves to be another surface's (false_border.h). All of
-  /// them where these are few, or too few would be left. What holds for every fit is found once, which takes 1 to 3 % of
-  /// a recorded frame's instructions less.
+  /// them where these are few, or too few would be left. What holds for every fit is found once, which takes 1 to 3 %
+  /// of a recorded frame's instructions less.
   class OnSurface {
    public:
     /// clear must stay.
