@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Feet of the middle; see seen_side.h.
+// Feet of the middle, and what touches there; see seen_side.h.
 #include "core/seen_side.h"
 
 #include <cmath>
@@ -18,6 +18,11 @@ std::optional<SeenSide> seenSide(const Cone& cone, const Vec3& middle) {
   const double slant = (point - cone.apex).norm();
   if (!(slant > kLeast)) return std::nullopt;
   return SeenSide{point, outward, slant * std::tan(cone.half_angle)};
+}
+
+Cone coneAlong(const Vec3& line, const SeenSide& side, double half_angle) {
+  return {side.point - side.radius / std::tan(half_angle) * line,
+          std::cos(half_angle) * line - std::sin(half_angle) * side.outward, half_angle};
 }
 
 }  // namespace primitect

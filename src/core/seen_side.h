@@ -20,4 +20,8 @@ SeenSide seenSide(const Cylinder& cylinder, const Vec3& middle);
 /// Nothing for points at the apex.
 std::optional<SeenSide> seenSide(const Cone& cone, const Vec3& middle);
 
+/// The cone that touches a surface along a line in the middle of its seen side, and is as round there. line: its
+/// direction, of length 1, away from the apex.
+Cone coneAlong(const Vec3& line, const SeenSide& side, double half_angle);
+
 }  // namespace primitect

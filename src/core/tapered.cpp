@@ -3,8 +3,6 @@
 // Trying tapers one by one; see tapered.h.
 #include "core/tapered.h"
 
-#include <cmath>
-
 #include "core/fitting.h"
 #include "core/seen_side.h"
 
@@ -22,8 +20,7 @@ Cone tapered(const Cylinder& cylinder, const FitPoints& points) {
   double most = -1.0;
   for (const double taper : kTapers) {
     for (const double way : {-1.0, 1.0}) {
-      const Vec3 opening = way * cylinder.axis, apex = seen.point - seen.radius / std::tan(taper) * opening;
-      const Cone cone = {apex, std::cos(taper) * opening - std::sin(taper) * seen.outward, taper};
+      const Cone cone = coneAlong(way * cylinder.axis, seen, taper);
       const double agreed = agreement(cone, points, kEnoughToCompare);
       if (!(agreed > most)) continue;
       most = agreed;
