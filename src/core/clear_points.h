@@ -44,23 +44,24 @@ class ClearPoints {
   /// all of them where too few would be left.
   List<std::uint32_t> of(std::size_t detection, const List<std::uint32_t>& points) const;
 
-  /// Those of a detection's clear points, the same each time, that lie on the curved shape which was fitted to them, in
-  /// an image of a depth camera: without the border where it proves to be another surface's (false_border.h). All of
-  /// them where these are few, or too few would be left. What holds for every fit is found once, which takes 1 to 3 %
-  /// of a recorded frame's instructions less.
+  /// Those of a detection's clear points that lie on the curved shape which was fitted to them, in an image of a depth
+  /// camera: without the border where it proves to be another surface's (false_border.h). All of them where these are
+  /// few, or too few would be left. What holds for every fit is found once, which takes 1 to 3 % of a recorded frame's
+  /// instructions less.
   class OnSurface {
    public:
-    /// clear must stay.
-    OnSurface(const ClearPoints& clear, std::size_t detection);
+    /// clear: what of() finds of this detection; it and what found it must stay.
+    OnSurface(const ClearPoints& finder, std::size_t detection, const List<std::uint32_t>& clear);
 
-    List<std::uint32_t> operator()(const Shape& fit, const List<std::uint32_t>& clear);
+    List<std::uint32_t> operator()(const Shape& fit);
 
    private:
     LabelledShape labelled() const;
-    bool mayHaveFalseBorder(const Shape& fit, const List<std::uint32_t>& clear);
+    bool mayHaveFalseBorder(const Shape& fit);
 
-    const ClearPoints& clear_;
+    const ClearPoints& finder_;
     std::uint32_t label_;
+    const List<std::uint32_t>& clear_;
     std::optional<FalseBorder> of_some_, of_all_;
   };
 

@@ -117,7 +117,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   const Shape from = start(found);
   Fit fit = {fittedToClear(from), 1.0};
   for (int time = 0; time < kTimes; ++time) {
-    const List<std::uint32_t> rest = on_surface(fit.shape, clear);
+    const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
     if (time == 0)
       fit.most_trust = trustInSize(fit.shape, uncertaintyOf(fit.shape, measureExtent(fit.shape, points_, {})));

@@ -31,7 +31,7 @@ class Measurement {
               const Limits& limits);
 
   /// Which of the clear points lie on the shape that was fitted to them.
-  using OnSurface = std::function<List<std::uint32_t>(const Shape& fit, const List<std::uint32_t>& clear)>;
+  using OnSurface = std::function<List<std::uint32_t>(const Shape& fit)>;
 
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
   /// the fit. Where the surface is not seen although it should be (seen_share.h), its size is left open

@@ -160,8 +160,9 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
       ++result.refusals[Refusal::few_inliers];
       continue;
     }
-    ClearPoints::OnSurface on_surface(clear, k);
-    measurement.measure(points[k], clear.of(k, points[k].index), std::ref(on_surface), result.items[k]);
+    const List<std::uint32_t> clear_of_item = clear.of(k, points[k].index);
+    ClearPoints::OnSurface on_surface(clear, k, clear_of_item);
+    measurement.measure(points[k], clear_of_item, std::ref(on_surface), result.items[k]);
     if (!within(k)) {
       ++result.refusals[Refusal::limits];
     } else if (!likely(k)) {

@@ -29,7 +29,9 @@ using test::measured;
 using test::patchOf;
 
 /// All clear points lie on the shape that was fitted to them.
-const Measurement::OnSurface kAllOnSurface = [](const Shape&, const List<std::uint32_t>& clear) { return clear; };
+Measurement::OnSurface allOf(const List<std::uint32_t>& clear) {
+  return [clear](const Shape&) { return clear; };
+}
 
 /// 40,000 points, more than anything draws.
 constexpr std::array<int, kKindCount> kPointsOf = {20000, 6000, 7000, 7000};
@@ -151,13 +153,13 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   detection.shape = Sphere{kBall.center, 0.079};
   Detection kept = detection;
   Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-      .measure({all, {}, 4000}, all, kAllOnSurface, kept);
+      .measure({all, {}, 4000}, all, allOf(all), kept);
   EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
   EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
   params.max_radius = 0.0;
   Detection fitted = detection;
   Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-      .measure({all, {}, 4000}, all, kAllOnSurface, fitted);
+      .measure({all, {}, 4000}, all, allOf(all), fitted);
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
 
@@ -167,7 +169,7 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   std::iota(all.begin(), all.end(), 0u);
   const Params params;
   Measurement(cloud, findRays(cloud), params, noise, {params, 10.0})
-      .measure({all, {}, all.size()}, all, kAllOnSurface, detection);
+      .measure({all, {}, all.size()}, all, allOf(all), detection);
   return detection;
 }
 
@@ -208,7 +210,7 @@ TEST(Measurement, TrustsASizeNoMoreForLeavingOutWhatContradictsIt) {
     Detection detection;
     detection.shape = ball;
     detection.confidence = 0.8f;
-    const auto on_surface = [&rest](const Shape&, const List<std::uint32_t>&) { return rest; };
+    const auto on_surface = [&rest](const Shape&) { return rest; };
     Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
         .measure({all, {}, all.size()}, clear, on_surface, detection);
     return detection.confidence;
@@ -272,7 +274,7 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   Detection kept;
   kept.shape = kBall;
   Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
-      .measure({own, {}, 1000}, clear, kAllOnSurface, kept);
+      .measure({own, {}, 1000}, clear, allOf(clear), kept);
   EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
   EXPECT_LT(kept.rms_error, 2.0 * kNoise);
 }
