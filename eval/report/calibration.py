@@ -21,7 +21,7 @@ SIGNS = (0, 1, 1, -1, -1, 1, 1)
 MANY = 150.0  # samples of a ball: losses of a larger one count less
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
 EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead",
-            "noise_measured")  # as compare's
+            "own_noise")  # as compare's
 
 # numbers: those of EVIDENCE, a row a detection; right: 0 or 1 each; kind: index in KINDS
 Cases = namedtuple("Cases", "numbers right kind")
@@ -112,15 +112,15 @@ def fit(cases, penalty=PENALTY):
     return result
 
 
-def of_measured_noise(cases):
-    """Which are planes in clouds whose noise was measured."""
-    return (cases.kind == KINDS.index("plane")) & (cases.numbers[:, EVIDENCE.index("noise_measured")] > 0.0)
+def of_own_noise(cases):
+    """Which are planes in clouds with a noise of their own, not that of depth cameras."""
+    return (cases.kind == KINDS.index("plane")) & (cases.numbers[:, EVIDENCE.index("own_noise")] > 0.0)
 
 
-def fit_measured(weights, cases):
-    """How many times farther apart right and wrong planes are where the noise was measured: a factor for the sum of
-    their features, so that what has a probability of 0.5 keeps it. 1 without right or wrong ones."""
-    chosen = of_measured_noise(cases)
+def fit_own_noise(weights, cases):
+    """How many times farther apart right and wrong planes are where the noise is the cloud's own: a factor for the sum
+    of their features, so that what has a probability of 0.5 keeps it. 1 without right or wrong ones."""
+    chosen = of_own_noise(cases)
     right = cases.right[chosen]
     if not 0 < right.sum() < len(right):
         return 1.0
@@ -128,21 +128,21 @@ def fit_measured(weights, cases):
     return float(logistic.maximize(sums[:, None], right, 0.0, np.ones(1))[0])
 
 
-def probabilities(weights, cases, measured=1.0):
-    """One a detection. measured: of fit_measured()."""
+def probabilities(weights, cases, own_noise=1.0):
+    """One a detection. own_noise: of fit_own_noise()."""
     rows, sums = features(cases), np.zeros(len(cases.right))
     for kind, values in weights.items():
         chosen = cases.kind == KINDS.index(kind)
         sums[chosen] = rows[chosen] @ values
-    sums[of_measured_noise(cases)] *= measured
+    sums[of_own_noise(cases)] *= own_noise
     return logistic.probabilities(np.ones(1), sums[:, None])
 
 
-def weights_text(weights, measured):
-    """The rows of kWeights in src/core/evidence.cpp, and kMeasuredNoise."""
+def weights_text(weights, own_noise):
+    """The rows of kWeights in src/core/evidence.cpp, and kOwnNoise."""
     rows = ("    {{%s}},  // %s\n" % (", ".join("%.3g" % value for value in weights[kind]), kind) for kind in KINDS)
     return ("constexpr std::array<Features, kKindCount> kWeights = {{\n%s}};\n"
-            "constexpr double kMeasuredNoise = %.2g;\n" % ("".join(rows), measured))
+            "constexpr double kOwnNoise = %.2g;\n" % ("".join(rows), own_noise))
 
 
 def quality_table(parts):

@@ -111,7 +111,7 @@ def test_weights_of_every_kind_become_rows_of_the_core():
     assert len(calibration.threshold_table(probability, cases).rows) == 5
 
 
-def test_planes_of_measured_noise_are_stretched_as_far_as_their_truth_is():
+def test_planes_of_own_noise_are_stretched_as_far_as_their_truth_is():
     # Twice as far as the weights say: gains of 0.4 to 0.8 around even odds at 0.6.
     weights = {"plane": np.array([-6.0, 0.0, 10.0, 0.0, 0.0, 0.0, 0.0])}
     random = np.random.default_rng(4)
@@ -119,15 +119,15 @@ def test_planes_of_measured_noise_are_stretched_as_far_as_their_truth_is():
     numbers = np.zeros((len(gains), len(calibration.EVIDENCE)))
     numbers[:, 1], numbers[:, -1] = gains, 1.0
     right = (random.random(len(gains)) < 1.0 / (1.0 + np.exp(-2.0 * (10.0 * gains - 6.0)))).astype(float)
-    measured = calibration.Cases(numbers, right, np.zeros(len(gains), int))
-    factor = calibration.fit_measured(weights, measured)
+    own = calibration.Cases(numbers, right, np.zeros(len(gains), int))
+    factor = calibration.fit_own_noise(weights, own)
     assert abs(factor - 2.0) < 0.1  # four standard deviations are 0.09
-    known = measured._replace(numbers=numbers * ([1.0] * (len(calibration.EVIDENCE) - 1) + [0.0]))
-    curved = measured._replace(kind=np.full(len(gains), 1))
-    assert calibration.fit_measured(weights, known) == calibration.fit_measured(weights, curved) == 1.0
+    known = own._replace(numbers=numbers * ([1.0] * (len(calibration.EVIDENCE) - 1) + [0.0]))
+    curved = own._replace(kind=np.full(len(gains), 1))
+    assert calibration.fit_own_noise(weights, known) == calibration.fit_own_noise(weights, curved) == 1.0
     as_is = calibration.probabilities(weights, known, factor)
-    assert np.allclose(as_is, calibration.probabilities(weights, measured))
-    stretched = calibration.probabilities(weights, measured, factor)
+    assert np.allclose(as_is, calibration.probabilities(weights, own))
+    stretched = calibration.probabilities(weights, own, factor)
     assert ((stretched > 0.5) == (as_is > 0.5)).all() and logistic.log_loss(stretched, right) < logistic.log_loss(
         as_is, right)
 

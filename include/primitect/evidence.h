@@ -15,7 +15,7 @@ struct Evidence {
   float border_residual = 0.0f;  ///< mean |distance| along that border in standard deviations; noise alone: 0.8
   float turn = 0.0f;             ///< 1 - |mean normal|: 0 of a plane, 0.5 of half a sphere
   float lead = 0.0f;             ///< score over that of the best other kind tried, per inlier, at most 1; planes: 0
-  float noise_measured = 0.0f;   ///< 1: the noise was measured in the cloud; 0: it is that of depth cameras
+  float own_noise = 0.0f;        ///< 1: the noise is the cloud's own; 0: it is that of depth cameras
 };
 
 }  // namespace primitect

@@ -62,7 +62,7 @@ constexpr std::array<Features, kKindCount> kWeights = {{
 /// Noise that was measured in the cloud itself is nobody else's: right and wrong planes are so many times farther apart
 /// than with that of all depth cameras. Printed by eval/calibrate. Without it planes of the paper's scenes with a
 /// confidence of 0.7 to 0.9 were right in 97 of 100 cases. Of curved shapes no such difference shows.
-constexpr double kMeasuredNoise = 2.4;
+constexpr double kOwnNoise = 2.4;
 
 /// What is round like a head fits a ball as well as a ball does, as far as the tolerance reaches. But where its surface
 /// goes on smoothly it has left the ball: noise alone is 0.8 standard deviations in the mean, balls in recorded frames
@@ -122,7 +122,7 @@ double confidenceOf(Kind kind, const Evidence& evidence) {
   const Features features = featuresOf(kind, evidence);
   const Features& weights = kWeights[static_cast<std::size_t>(kind)];
   double sum = std::inner_product(features.begin(), features.end(), weights.begin(), 0.0);
-  if (kind == Kind::plane && evidence.noise_measured > 0.0f) sum *= kMeasuredNoise;
+  if (kind == Kind::plane && evidence.own_noise > 0.0f) sum *= kOwnNoise;
   // What is no number says nothing.
   const double confidence = std::isfinite(sum) ? 1.0 / (1.0 + std::exp(-sum)) : 0.0;
   constexpr double kHardly = 0.1;

@@ -344,7 +344,7 @@ void Verification::assess() {
     const Hypothesis& hypothesis = pool_[segment.hypothesis];
     const Kind kind = kindOf(hypothesis.shape);
     segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
-    segment.evidence.noise_measured = noise_.ofDepthCamera() ? 0.0f : 1.0f;
+    segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
     if (kind != Kind::plane) {
       const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
       segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));

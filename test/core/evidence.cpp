@@ -151,14 +151,14 @@ TEST(Confidence, RisesWithTheInliers) {
   }
 }
 
-TEST(Confidence, IsFartherFromEvenOfPlanesWhereTheNoiseWasMeasured) {
+TEST(Confidence, IsFartherFromEvenOfPlanesWhereTheNoiseIsTheCloudsOwn) {
   for (const float gain : {0.2f, 0.9f}) {
     for (const Kind kind : kKinds) {
       Evidence known = usualEvidence(kind);
       known.gain = gain;
-      Evidence measured = known;
-      measured.noise_measured = 1.0f;
-      const double before = confidenceOf(kind, known), after = confidenceOf(kind, measured);
+      Evidence own = known;
+      own.own_noise = 1.0f;
+      const double before = confidenceOf(kind, known), after = confidenceOf(kind, own);
       if (kind != Kind::plane) {
         EXPECT_EQ(after, before) << kindName(kind);
       } else if (before > 0.5) {

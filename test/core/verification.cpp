@@ -337,7 +337,7 @@ TEST(Conclusion, RefusesAndCountsWhatIsUnlikely) {
   for (const Segment& segment : bounded.segments()) EXPECT_GE(segment.confidence, params.min_confidence);
 }
 
-TEST(Conclusion, TellsWhetherTheNoiseWasMeasured) {
+TEST(Conclusion, TellsWhetherTheNoiseIsTheCloudsOwn) {
   Random random(101);
   const std::vector<SurfacePoint> points = noisy(patchOf(kWall, 600, 0.4, random), random);
   for (const bool depth_camera : {false, true}) {
@@ -346,7 +346,7 @@ TEST(Conclusion, TellsWhetherTheNoiseWasMeasured) {
     addRound(verification, test::samplesOf(points), {test::candidate(kWall, points[0], 9.0)});
     verification.conclude();
     ASSERT_EQ(verification.segments().size(), 1u);
-    EXPECT_EQ(verification.segments()[0].evidence.noise_measured, depth_camera ? 0.0f : 1.0f);
+    EXPECT_EQ(verification.segments()[0].evidence.own_noise, depth_camera ? 0.0f : 1.0f);
   }
 }
 
