@@ -3,6 +3,7 @@
 // Checking candidates on the samples, round by round: which shapes are there, and how sure that is.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -81,6 +82,9 @@ class Verification {
     std::optional<Vec3> level;
   };
 
+  /// How many samples a shape needs at least.
+  std::size_t needed() const { return static_cast<std::size_t>(params_.min_inliers); }
+  bool isUnlikely(const Segment& segment) const { return segment.confidence < params_.min_confidence; }
   ProposalRules rules() const;
   ProposalRules quickRules() const;
   void selectAgain();

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets joined, what was selected fitted again and assessed, what is unlikely refused; see verification.h.
+#include <algorithm>
+#include <utility>
+
+#include "core/evidence.h"
+#include "core/facets.h"
+#include "core/plane_parts.h"
+#include "core/verification.h"
+
+namespace primitect {
+namespace {
+
+/// The same but for one in twenty samples; both in rising order. With one in ten, as much is found.
+bool nearlySame(const List<std::uint32_t>& a, const List<std::uint32_t>& b) {
+  constexpr double kLeast = 0.95;
+  const double needed = kLeast * static_cast<double>(std::max(a.size(), b.size()));
+  if (static_cast<double>(std::min(a.size(), b.size())) < needed) return false;
+  std::size_t both = 0;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    both += *i == *j ? 1 : 0;
+    const bool next_i = *i <= *j, next_j = *j <= *i;
+    i += next_i, j += next_j;
+  }
+  return static_cast<double>(both) >= needed;
+}
+
+}  // namespace
+
+/// A new version joins the others, unless it is like one of them and explains no more. With all versions selections
+/// take up to 15 % longer in recorded frames, and find as much.
+void Verification::join(const Hypothesis& version) {
+  if (!isKnown(version, pool_)) pool_.push_back(version);
+}
+
+/// What is too large for the bins of radii, or for near pairs to turn, is found in facets: the whole competes with
+/// them.
+void Verification::joinFacets() {
+  if (!scale_.depth_camera) return;
+  List<std::uint32_t> number(pool_.size(), kOther);
+  std::uint32_t planes = 0;
+  for (const Segment& segment : segments_) {
+    if (kindOf(segment.candidate.shape) == Kind::plane) number[segment.hypothesis] = planes++;
+  }
+  List<std::uint32_t> plane_of(selection_.owner);
+  for (std::uint32_t& owner : plane_of) owner = owner == kNobody ? kNobody : number[owner];
+  const SampleParts groups = facetGroups(samples_, graph_, plane_of, planes);
+  if (groups.empty()) return;
+  const HeldGains held = heldByChosen();
+  const std::size_t before = pool_.size();
+  for (const List<std::uint32_t>& group : groups) {
+    Hypothesis whole;
+    whole.shape = pool_[selection_.owner[group.front()]].shape;
+    const bool curved = bestOfKinds(samples_, held, group, quickRules(), whole) && kindOf(whole.shape) != Kind::plane;
+    if (curved) pool_.push_back(std::move(whole));
+  }
+  if (pool_.size() > before) select();
+}
+
+/// Parts of a plane may lie in different ones.
+void Verification::split(const Segment& segment, const HeldGains& held) {
+  const Plane plane = std::get<Plane>(pool_[segment.hypothesis].shape);
+  SampleParts parts = separateParts(segment.inliers, needed(), graph_);
+  for (auto& part : stepParts(samples_, plane, segment.inliers, needed())) parts.push_back(std::move(part));
+  for (const List<std::uint32_t>& part : parts) {
+    Hypothesis trial = pool_[segment.hypothesis];
+    if (bestOfKinds(samples_, held, part, rules(), trial)) join(trial);
+  }
+}
+
+/// Fits the segment again to its own samples, to all samples near it, and in parts.
+void Verification::refit(const Segment& segment, const HeldGains& held) {
+  constexpr double kNear = 2.5;  // times the noise: what a slightly wrong shape left behind
+  Hypothesis trial = pool_[segment.hypothesis];
+  ProposalRules once_more = rules();
+  once_more.fitted = true;
+  if (bestOfKinds(samples_, held, segment.inliers, once_more, trial)) join(trial);
+  if (kindOf(segment.candidate.shape) == Kind::plane) split(segment, held);
+  evaluate(samples_, held, kNear, trial);
+  List<std::uint32_t> near;
+  inliersOf(trial, near);
+  if (near.size() <= segment.inliers.size() * 21 / 20) return;
+  if (bestOfKinds(samples_, held, near, rules(), trial)) join(trial);
+}
+
+/// What was selected is fitted again; then it competes with what it was.
+void Verification::refit() {
+  constexpr int kTimes = 2;
+  List<List<std::uint32_t>> refitted;  // inliers that were fitted again
+  for (int time = 0; time < kTimes; ++time) {
+    const HeldGains held = heldByChosen();
+    const std::size_t before = pool_.size();
+    for (const Segment& segment : segments_) {
+      // The same samples hardly give another shape; but the few that a plane gained or lost may part it.
+      const bool plane = kindOf(segment.candidate.shape) == Kind::plane;
+      const auto known = [&segment, plane](const List<std::uint32_t>& set) {
+        return plane ? set == segment.inliers : nearlySame(set, segment.inliers);
+      };
+      if (std::any_of(refitted.begin(), refitted.end(), known)) continue;
+      refitted.push_back(segment.inliers);
+      refit(segment, held);
+    }
+    if (pool_.size() == before) return;
+    select();
+  }
+}
+
+void Verification::assess() {
+  const HeldGains held = heldByChosen();
+  for (Segment& segment : segments_) {
+    const Hypothesis& hypothesis = pool_[segment.hypothesis];
+    const Kind kind = kindOf(hypothesis.shape);
+    segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
+    segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
+    if (kind != Kind::plane) {
+      const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
+      segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
+      segment.rival = rival.kind;
+    }
+    segment.confidence = confidenceOf(kind, segment.evidence);
+  }
+}
+
+/// Planes apart, and how likely everything is.
+void Verification::settle() {
+  constexpr int kTimes = 3;  // what takes the place of one plane may be another of that sort
+  for (int time = 0; time < kTimes && separate(); ++time) selectAgain();
+  assess();
+}
+
+bool Verification::refuseUnlikely() {
+  bool any = false;
+  for (const Segment& segment : segments_) {
+    if (!isUnlikely(segment)) continue;
+    silence(pool_[segment.hypothesis]);
+    ++refusals_[Refusal::unlikely];
+    any = true;
+  }
+  return any;
+}
+
+void Verification::conclude() {
+  constexpr int kRefusals = 4;
+  select();
+  joinFacets();
+  refit();
+  settle();
+  for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
+    selectAgain();
+    settle();
+  }
+  // What took the place of the last ones refused may be unlikely, too.
+  const auto unlikely = [this](const Segment& segment) { return isUnlikely(segment); };
+  segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+  // Selections that go on keep what stayed in front, whatever its size.
+  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+    return a.inliers.size() != b.inliers.size() ? a.inliers.size() > b.inliers.size() : a.hypothesis < b.hypothesis;
+  });
+}
+
+}  // namespace primitect

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Tops of things of nearly one height taken apart; see verification.h.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/plane_parts.h"
+#include "core/verification.h"
+
+namespace primitect {
+
+bool Verification::isLargePlane(const Segment& segment) const {
+  if (kindOf(segment.candidate.shape) != Kind::plane) return false;
+  const auto end = std::lower_bound(segment.inliers.begin(), segment.inliers.end(), samples_.first_draw);
+  return primitect::isLargePlane(static_cast<std::size_t>(end - segment.inliers.begin()), samples_.first_draw);
+}
+
+std::optional<Vec3> Verification::levelOf(const Segment& plane) const {
+  std::optional<Vec3> level;
+  const Vec3 normal = std::get<Plane>(plane.candidate.shape).normal;
+  for (const Segment& segment : segments_) {
+    if (!isLargePlane(segment)) continue;
+    const Vec3& other = std::get<Plane>(segment.candidate.shape).normal;
+    if (!level || std::abs(normal.dot(other)) > std::abs(normal.dot(*level))) level = other;
+  }
+  return level;
+}
+
+bool Verification::isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const {
+  return std::any_of(whole_planes_.begin(), whole_planes_.end(),
+                     [&](const WholePlane& plane) { return plane.inliers == inliers && plane.level == level; });
+}
+
+bool Verification::separate(const Segment& segment, const HeldGains& held) {
+  // In parts, what things stand on is one plane all the same.
+  if (isLargePlane(segment)) return false;
+  const std::optional<Vec3> level = levelOf(segment);
+  if (isWhole(segment.inliers, level)) return false;
+  const SampleParts parts = separateParts(segment.inliers, needed(), graph_);
+  const SampleParts groups = coplanarGroups(samples_, parts, level);
+  if (groups.size() < 2) {
+    whole_planes_.push_back({segment.inliers, level});
+    return false;
+  }
+  const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  const List<std::uint32_t>& largest = *std::max_element(groups.begin(), groups.end(), smaller);
+  List<Hypothesis> apart;
+  for (const List<std::uint32_t>& group : groups) {
+    List<std::uint32_t> others;
+    for (const List<std::uint32_t>& other : groups) {
+      if (&other != &group) others.insert(others.end(), other.begin(), other.end());
+    }
+    std::sort(others.begin(), others.end());
+    // What belongs to the other groups neither speaks against it nor is its own.
+    HeldGains held_by_others = held;
+    for (const std::uint32_t i : segment.inliers) held_by_others[i] = 0.0f;
+    for (const std::uint32_t i : others) held_by_others[i] = 1.0f;
+    Hypothesis alone = pool_[segment.hypothesis];
+    if (bestOfKinds(samples_, held_by_others, group, rules(), alone)) {
+      withhold(others, alone);
+      apart.push_back(std::move(alone));
+    } else if (&group == &largest) {
+      return false;  // of a smaller one nothing is left, but it tilts the others no longer
+    }
+  }
+  silence(pool_[segment.hypothesis]);
+  std::move(apart.begin(), apart.end(), std::back_inserter(pool_));
+  return true;
+}
+
+/// Tops of things of nearly the same height that a plane leads over become planes of their own.
+bool Verification::separate() {
+  const HeldGains held = heldByChosen();
+  bool any = false;
+  for (const Segment& segment : segments_) {
+    if (kindOf(segment.candidate.shape) == Kind::plane && separate(segment, held)) any = true;
+  }
+  return any;
+}
+
+}  // namespace primitect
