@@ -130,7 +130,8 @@ def together(summaries):
                                for key in ("found", "labels")}},
             "false_curved_per_frame": total(lambda one: one["false_curved_per_frame"] * one["frames"]) / frames,
             "false_on_negative_frames": {"all": total(lambda one: sum(one["false_on_negative_frames"].values()))},
-            "radius_error_mm": {"absolute": middle(lambda one: (one["radius_error_mm"]["absolute"] or {}).get("median"))},
+            "radius_error_mm": {
+                "absolute": middle(lambda one: (one["radius_error_mm"]["absolute"] or {}).get("median"))},
             "total_ms": middle(lambda one: (one["total_ms"] or {}).get("median"))}
 
 
@@ -156,6 +157,7 @@ def frame_rows(summaries):
     so few that one of them is 3 %. summaries: seed -> figures of frames.score_and_draw()."""
     rows = [("Recorded frames", None)] if summaries else []
     if len(summaries) > 1:
-        rows.append(("must labels, seeds %s" % ", ".join(map(str, summaries)), frame_cells(together(summaries.values()))))
+        seeds = ", ".join(map(str, summaries))
+        rows.append(("must labels, seeds %s" % seeds, frame_cells(together(summaries.values()))))
     rows += [("seed %d" % seed, frame_cells(figures)) for seed, figures in summaries.items()]
     return rows

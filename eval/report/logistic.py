@@ -13,8 +13,8 @@ def probabilities(weights, columns):
 
 def maximize(columns, right, penalty, towards, most_steps=100):
     """Newton's method. Weights with the largest likelihood of right, less half the penalty times the squares of all
-    differences but the first from the weights `towards`. A step that leads down is halved until it leads up: where nearly
-    all are right, whole ones went to and fro, and the weights after the last of them were anything."""
+    differences but the first from the weights `towards`. A step that leads down is halved until it leads up: where
+    nearly all are right, whole ones went to and fro, and the weights after the last of them were anything."""
     ridge = np.full(columns.shape[1], float(penalty))
     ridge[0] = 1e-9
     sign = 1.0 - 2.0 * right

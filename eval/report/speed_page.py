@@ -99,8 +99,8 @@ def recorded_table(figures, recorded):
             for name, one in used.items()]
     columns = ["points", "primitives"] + names + ["total", "slowest", "times tabletop"]
     return Table("recorded", "Recorded frames, cloud in memory to primitives, by stage",
-                 "Medians, ms by the clock; times tabletop: detect/tabletop-640/default of the same run.", [("", len(columns))], columns,
-                 rows)
+                 "Medians, ms by the clock; times tabletop: detect/tabletop-640/default of the same run.",
+                 [("", len(columns))], columns, rows)
 
 
 def all_tables(result):

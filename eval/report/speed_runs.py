@@ -12,8 +12,8 @@ KERNELS = ("scalar", "portable", "avx2", "avx512", "neon")
 SUFFIX = "/manual_time"  # Google Benchmark appends it to the names
 
 # seconds, curve_seconds: measured in each repetition of a case; inputs: different clouds of a case;
-# largest: points of a cloud; rounds: of every kernel; repeats: of a recorded frame; peers: who else runs; cases, memory:
-# patterns of what is measured
+# largest: points of a cloud; rounds: of every kernel; repeats: of a recorded frame; peers: who else runs;
+# cases, memory: patterns of what is measured
 Effort = namedtuple("Effort", "seconds curve_seconds repetitions inputs largest rounds repeats peers cases memory")
 FULL = Effort(1.0, 0.3, 5, 8, 10000000, 5, 60, ("cgal", "pcl-sac"), r".*", r"(detect|frame)/.*|(points|pixels)/10*")
 QUICK = Effort(0.1, 0.05, 2, 2, 1000000, 2, 10, ("cgal",), r"detect/.*|peer/.*|vote/.*|frame/.*|points/1.*|pixels/10*|"
@@ -126,9 +126,11 @@ def memory_of(program, case, effort):
 
 def recorded_frames(folder):
     """Paths of all PCDs in a folder. Raises Failed without any."""
-    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".pcd")) if os.path.isdir(folder) else []
+    if not os.path.isdir(folder):
+        raise Failed("%s: no folder" % folder)
+    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".pcd"))
     if not names:
-        raise Failed("%s: no folder with PCDs" % folder)
+        raise Failed("%s: no PCD in it" % folder)
     return [os.path.join(folder, name) for name in names]
 
 

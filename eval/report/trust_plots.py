@@ -34,7 +34,8 @@ def reliability(lines, folder):
     axes[0][0].set_ylabel("share right")
     axes[1][0].set_ylabel("detections")
     return figures.finish(figure, "Confidence of detections", os.path.join(folder, "reliability.png"),
-                          note="ECE: expected calibration error, the mean distance of the two, weighted by the detections.")
+                          note="ECE: expected calibration error, the mean distance of the two, weighted by the "
+                               "detections.")
 
 
 def normalised_errors(lines, folder):

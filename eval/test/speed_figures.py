@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""eval/speed, eval/latency and eval/profile: medians, percentiles, ratios, drops, verdicts and shares, on times and stacks
-made up for it."""
+"""eval/speed, eval/latency and eval/profile: medians, percentiles, ratios, drops, verdicts and shares, on times and
+stacks made up for it."""
 import os
 import sys
 import tempfile
@@ -127,12 +127,12 @@ def test_an_effort_leaves_out_large_clouds_and_slow_peers():
 
 def test_recorded_frames_are_looked_for_before_anything_is_measured():
     with tempfile.TemporaryDirectory() as folder:
-        for wrong in (folder, os.path.join(folder, "nowhere")):
+        for wrong, why in ((folder, "no PCD in it"), (os.path.join(folder, "nowhere"), "no folder")):
             try:
                 speed_runs.recorded_frames(wrong)
                 raise AssertionError("no failure")
             except speed_runs.Failed as error:
-                assert wrong in str(error)
+                assert str(error) == "%s: %s" % (wrong, why)
         for name in ("b.pcd", "a.PCD", "labels.json"):
             open(os.path.join(folder, name), "w", encoding="utf-8").close()
         assert [os.path.basename(path) for path in speed_runs.recorded_frames(folder)] == ["a.PCD", "b.pcd"]

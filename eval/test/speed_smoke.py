@@ -55,7 +55,8 @@ class Smoke(unittest.TestCase):
             self.assertEqual((wall["points"], wall["primitives"]), (1600, 1))
             self.assertAlmostEqual(sum(wall["stages_ms"].values()), wall["median_ms"], delta=0.5 * wall["median_ms"])
             self.assertGreaterEqual(wall["worst_ms"], wall["median_ms"])
-            for name in ("speed.md", "recorded.csv", "targets.csv", "detect.csv", "kernels.csv", "memory.csv", "stages.png"):
+            for name in ("speed.md", "recorded.csv", "targets.csv", "detect.csv", "kernels.csv", "memory.csv",
+                         "stages.png"):
                 self.assertIn(name, os.listdir(out))
 
 

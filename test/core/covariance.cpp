@@ -7,8 +7,8 @@
 
 #include "core/extent.h"
 #include "core/fitting.h"
-#include "test/support/scenes.h"
 #include "test/support/fit_errors.h"
+#include "test/support/scenes.h"
 
 namespace primitect {
 namespace {
