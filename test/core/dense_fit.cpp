@@ -198,6 +198,22 @@ TEST(RefineDense, EndsWhereAllPointsSay) {
   }
 }
 
+TEST(RefineDense, AlongRaysStartsNoNarrowerAtAConeThatIsSeenAllAround) {
+  // A spike whose tip points at the sensor. Beside a narrower one along one line of it most points are too far away to
+  // show the way back: fits from there end up to 1 deg off.
+  constexpr double kHalfAngle = 10.0 * kDegree;
+  const Cone spike = {Vec3(0, 0, 0.9), Vec3(0, 0, 1), kHalfAngle};
+  for (const std::uint64_t seed : {61u, 62u, 63u}) {
+    Random random(seed);
+    std::vector<SurfacePoint> points = patchOf(spike, 2000, 0.05, 0.35, random);
+    for (SurfacePoint& p : points) p.point += kNoise * random.gaussian() * p.point.normalized();
+    const auto found = refineDense(spike, test::fitPointsOf(samplesWith(kNoiseModel, points)), PointErrors::along_rays);
+    ASSERT_TRUE(found);
+    // The noise over a third of the length by sqrt(2000) is 0.013 deg; no more than ten times as much.
+    EXPECT_NEAR(std::get<Cone>(*found).half_angle, kHalfAngle, 0.1 * kDegree) << seed;
+  }
+}
+
 TEST(PointsOfLabels, KnowsTheOutermostInEachRowOfAnImage) {
   const std::vector<std::uint32_t> labels = {0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0,   // one run
                                              1, 1, 1, 1, 0, 2, 2, 0, 1, 1, 1, 1,   // something between two; on to

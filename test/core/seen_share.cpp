@@ -74,8 +74,11 @@ class Can : public testing::Test {
     }
   }
 
-  double share() const {
-    const auto sigma = [](const Vec3& p) { return synthetic::axialSigma(p.z()); };
+  double share() {
+    const auto sigma = [this](const Vec3& p) {
+      ++asked_;
+      return synthetic::axialSigma(p.z());
+    };
     return seenShare(can_, pixels_, cloud_, rays_, range_, sigma);
   }
 
@@ -88,6 +91,7 @@ class Can : public testing::Test {
   List<std::uint32_t> pixels_;
   ImageRays rays_;
   DepthRange range_ = {0.1f, 2.0f};
+  int asked_ = 0;  ///< places so far
 };
 
 TEST_F(Can, ThatIsWholeIsSeenEverywhere) {
@@ -99,6 +103,19 @@ TEST_F(Can, InTattersIsSeenWhereItIsLeft) {
   render(false);
   changeSome(0.15, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
   EXPECT_NEAR(share(), 0.85, kBorders);
+}
+
+TEST_F(Can, IsAskedAtMorePlacesOnlyUntilTheseSettleOrAreMany) {
+  constexpr int kNinth = 280;  // at most, of the places in its box: so near, about each third pixel of each third row
+  render(false, Eigen::Quaterniond::Identity(), 0.5);
+  EXPECT_GT(share(), 1.0 - kBorders);
+  EXPECT_LE(asked_, kNinth);
+  asked_ = 0;
+  // In the middle of where confidence goes down no number of places settles it: five hundred are enough.
+  changeSome(0.17, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
+  EXPECT_NEAR(share(), 0.83, kBorders);
+  EXPECT_GE(asked_, 500);
+  EXPECT_LE(asked_, 500 + kNinth);
 }
 
 TEST_F(Can, WithBumpsIsNotSeenThere) {

@@ -36,10 +36,14 @@ List<Hypothesis> poolOf(const std::vector<Shape>& shapes, const Samples& samples
   return pool;
 }
 
-List<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samples& samples, std::size_t fewest = kFewest) {
-  List<std::uint32_t> chosen = selectHypotheses(samples, poolOf(shapes, samples), fewest).chosen;
+List<std::uint32_t> chosenOf(const List<Hypothesis>& pool, const Samples& samples, std::size_t fewest = kFewest) {
+  List<std::uint32_t> chosen = selectHypotheses(samples, pool, fewest).chosen;
   std::sort(chosen.begin(), chosen.end());
   return chosen;
+}
+
+List<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samples& samples, std::size_t fewest = kFewest) {
+  return chosenOf(poolOf(shapes, samples), samples, fewest);
 }
 
 Samples twoBalls() {
@@ -252,6 +256,67 @@ TEST(SelectionAgain, TriesOnlyWhatIsNextToWhatWasRefused) {
   EXPECT_EQ(chosenAgain(samples, pool, {0, 3}), (Indices{0}));
   silence(pool[4]);
   EXPECT_EQ(chosenAgain(samples, pool, {0, 4}), (Indices{1, 2}));
+}
+
+TEST(SelectionAgain, TriesWhatIsNextToWhatJoined) {
+  const BentStrip strip;
+  const Sphere ball = {Vec3(0.6, 0, 1), 0.1};
+  // Four blocks of its own, or the last one with samples of the strip in it. Nothing was refused.
+  for (const int count : {256, 240}) {
+    Random random(25);
+    const std::vector<SurfacePoint> on_ball = patchOf(ball, count, random);
+    const Samples samples = samplesWith(kNoiseModel, together(on_ball, strip.points(random)));
+    const List<Hypothesis> pool = poolOf({strip.cylinder, strip.left, strip.right, ball}, samples);
+    ASSERT_EQ(mayOverlap(pool[0], pool[3]), count == 240);
+    EXPECT_EQ(chosenAgain(samples, pool, {0}), count == 240 ? (Indices{1, 2, 3}) : (Indices{0, 3}));
+  }
+}
+
+/// Neighbouring samples that a shape has the same gain at.
+struct Part {
+  std::uint32_t begin, end;
+  float gain;
+};
+
+/// What explains these, whatever its shape.
+Hypothesis explaining(const Shape& shape, std::size_t samples, const std::vector<Part>& parts) {
+  Hypothesis hypothesis;
+  hypothesis.shape = shape;
+  hypothesis.blocks.assign(samples / SampleBlocks::kSize / 64 + 1, 0);
+  hypothesis.on.assign(samples / 64 + 1, 0);
+  for (const Part& part : parts) {
+    for (std::uint32_t i = part.begin; i < part.end; ++i) {
+      const std::size_t block = i / SampleBlocks::kSize;
+      hypothesis.support.push_back({i, part.gain});
+      hypothesis.blocks[block / 64] |= std::uint64_t{1} << block % 64;
+      if (!(part.gain > 0.0f)) continue;
+      hypothesis.on[i / 64] |= std::uint64_t{1} << i % 64;
+      hypothesis.gain_sum += part.gain;
+      ++hypothesis.inliers;
+    }
+  }
+  return hypothesis;
+}
+
+TEST(Selection, TriesAgainWhatIsNextToWhatCameByAnExchange) {
+  constexpr std::uint32_t kSamples = 456;
+  const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  const Cylinder tube = {Vec3(0, 0, 1), Vec3(0, 1, 0), 0.1};
+  // Two tubes, each over two planes that explain its samples better. Those between the tubes speak against a plane of
+  // the first one, so that it stays when it is tried, before the second one. But a plane of that one explains them.
+  const Part first = {0, 200, 0.8f}, between = {200, 230, 0.9f}, second = {256, kSamples, 0.8f};
+  const List<Hypothesis> pool = {explaining(tube, kSamples, {first}),
+                                 explaining(tube, kSamples, {second}),
+                                 explaining(plane, kSamples, {{0, 100, 0.9f}}),
+                                 explaining(plane, kSamples, {{100, 200, 0.9f}, {200, 230, -1.0f}}),
+                                 explaining(plane, kSamples, {between, {256, 356, 0.9f}}),
+                                 explaining(plane, kSamples, {{356, kSamples, 0.9f}})};
+  ASSERT_FALSE(mayOverlap(pool[0], pool[1]));
+  const Samples samples = test::samplesOf(std::vector<SurfacePoint>(kSamples, pointAt(plane, 0.0, 0.0)));
+  List<Hypothesis> without_it = pool;
+  silence(without_it[4]);
+  ASSERT_EQ(chosenOf(without_it, samples), (Indices{0, 1})) << "nobody explains what is between";
+  EXPECT_EQ(chosenOf(pool, samples), (Indices{2, 3, 4, 5}));
 }
 
 TEST(Selection, LeavesOutWhatOwnsFewerThanTheLeast) {
