@@ -10,33 +10,30 @@ namespace primitect {
 Choice::Choice(std::size_t samples, const List<Hypothesis>& pool, std::size_t min_inliers)
     : pool_(pool),
       min_inliers_(static_cast<double>(min_inliers)),
-      state_{List<bool>(pool.size(), false),
-             {},
-             List<Standing>(pool.size()),
-             List<Holder>(samples),
-             List<Holder>(samples)},
+      chosen_{List<bool>(pool.size(), false), {}, List<Standing>(pool.size())},
+      holders_(samples),
       inheritances_(pool.size()),
       left_(samples, 0) {}
 
 Worth Choice::worthOfAdding(std::uint32_t h) const {
   Tally tally;
-  for (const Support& support : pool_[h].support) tally.add(support.gain, state_.best[support.sample].gain);
+  for (const Support& support : pool_[h].support) tally.add(support.gain, holders_[support.sample].best.gain);
   return worthOf(h, tally);
 }
 
 void Choice::worthsOfAdding(std::uint32_t h, List<WorthWithout>& worths) {
-  for (const std::uint32_t kept : state_.order) inheritances_[kept] = Inheritance();
+  for (const std::uint32_t kept : chosen_.order) inheritances_[kept] = Inheritance();
   Tally all;
   for (const Support& support : pool_[h].support) {
-    const Holder& best = state_.best[support.sample];
+    const auto& [best, second] = holders_[support.sample];
     all.add(support.gain, best.gain);
     if (best.hypothesis == kNobody) continue;
     Inheritance& inheritance = inheritances_[best.hypothesis];
     inheritance.held.add(support.gain, best.gain);
-    inheritance.left.add(support.gain, state_.second[support.sample].gain);
+    inheritance.left.add(support.gain, second.gain);
   }
   worths.clear();
-  for (const std::uint32_t gone : state_.order) {
+  for (const std::uint32_t gone : chosen_.order) {
     const Tally &held = inheritances_[gone].held, &left = inheritances_[gone].left;
     if (!(left.better > 0.0)) continue;
     Tally tally;
@@ -48,38 +45,50 @@ void Choice::worthsOfAdding(std::uint32_t h, List<WorthWithout>& worths) {
 }
 
 void Choice::add(std::uint32_t h) {
-  for (const std::uint32_t kept : state_.order) {
-    if (mayOverlap(pool_[kept], pool_[h])) state_.standings[kept].known = false;
+  for (const std::uint32_t kept : chosen_.order) {
+    if (mayOverlap(pool_[kept], pool_[h])) chosen_.standings[kept].known = false;
   }
-  state_.chosen[h] = true;
-  state_.standings[h].known = false;
-  state_.order.push_back(h);
+  chosen_.holds[h] = true;
+  chosen_.standings[h].known = false;
+  chosen_.order.push_back(h);
   for (const Support& support : pool_[h].support) enter(h, support);
 }
 
 void Choice::remove(std::uint32_t h) {
-  state_.chosen[h] = false;
-  state_.order.erase(std::find(state_.order.begin(), state_.order.end(), h));
+  chosen_.holds[h] = false;
+  chosen_.order.erase(std::find(chosen_.order.begin(), chosen_.order.end(), h));
   ++removal_;
   for (const Support& support : pool_[h].support) {
-    Holder &best = state_.best[support.sample], &second = state_.second[support.sample];
+    const auto& [best, second] = holders_[support.sample];
     if (best.hypothesis != h && second.hypothesis != h) continue;
-    best = second = Holder();
+    change(support.sample, {});
     left_[support.sample] = removal_;
   }
-  for (const std::uint32_t kept : state_.order) {
+  for (const std::uint32_t kept : chosen_.order) {
     if (!mayOverlap(pool_[kept], pool_[h])) continue;
-    state_.standings[kept].known = false;
+    chosen_.standings[kept].known = false;
     for (const Support& support : pool_[kept].support) {
       if (left_[support.sample] == removal_) enter(kept, support);
     }
   }
 }
 
+void Choice::note() {
+  noted_ = chosen_;
+  noting_ = true;
+  changes_.clear();
+}
+
+void Choice::goBack() {
+  for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) holders_[change->sample] = change->before;
+  changes_.clear();
+  chosen_ = noted_;
+}
+
 std::uint32_t Choice::worthless() {
   std::uint32_t weakest = kNobody;
   double least = 0.0;
-  for (const std::uint32_t h : state_.order) {
+  for (const std::uint32_t h : chosen_.order) {
     const double worth = standingOf(h).keeping;
     if (worth > least) continue;
     least = worth;
@@ -90,13 +99,13 @@ std::uint32_t Choice::worthless() {
 
 double Choice::total() {
   double sum = 0.0;
-  for (const std::uint32_t h : state_.order) sum += standingOf(h).share;
+  for (const std::uint32_t h : chosen_.order) sum += standingOf(h).share;
   return sum;
 }
 
 List<std::uint32_t> Choice::owners() const {
-  List<std::uint32_t> owner(state_.best.size());
-  for (std::size_t i = 0; i < state_.best.size(); ++i) owner[i] = state_.best[i].hypothesis;
+  List<std::uint32_t> owner(holders_.size());
+  for (std::size_t i = 0; i < holders_.size(); ++i) owner[i] = holders_[i].best.hypothesis;
   return owner;
 }
 
@@ -106,16 +115,16 @@ Worth Choice::worthOf(std::uint32_t h, const Tally& tally) const {
 }
 
 const Choice::Standing& Choice::standingOf(std::uint32_t h) {
-  Standing& standing = state_.standings[h];
+  Standing& standing = chosen_.standings[h];
   if (standing.known) return standing;
   double gain = 0.0, lost = 0.0, against = 0.0;
   std::size_t all = 0, without_other = 0;
   for (const Support& support : pool_[h].support) {
-    const Holder& best = state_.best[support.sample];
+    const auto& [best, second] = holders_[support.sample];
     if (best.hypothesis == h) {
       gain += best.gain;
       ++all;
-      const float other = state_.second[support.sample].gain;
+      const float other = second.gain;
       if (other >= kWellExplained) continue;
       lost += best.gain - other;
       ++without_other;
@@ -140,14 +149,18 @@ double Choice::price(std::uint32_t h, double own) const {
   return priceOf(kindOf(pool_[h].shape), own) + 0.25 * min_inliers_;
 }
 
+void Choice::change(std::uint32_t sample, const Holders& now) {
+  if (noting_) changes_.push_back({sample, holders_[sample]});
+  holders_[sample] = now;
+}
+
 void Choice::enter(std::uint32_t h, const Support& support) {
-  Holder& best = state_.best[support.sample];
-  Holder& second = state_.second[support.sample];
+  const auto& [best, second] = holders_[support.sample];
+  const Holder own = {h, support.gain};
   if (support.gain > best.gain) {
-    second = best;
-    best = {h, support.gain};
+    change(support.sample, {own, best});
   } else if (support.gain > second.gain) {
-    second = {h, support.gain};
+    change(support.sample, {best, own});
   }
 }
 

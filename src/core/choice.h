@@ -40,18 +40,15 @@ class Choice {
     double keeping = 0.0;  ///< what the total loses when it leaves
   };
 
-  struct State {
-    List<bool> chosen;
-    List<std::uint32_t> order;  ///< of those chosen
-    List<Standing> standings;   ///< of those chosen
-    List<Holder> best, second;  ///< of each sample
+  struct Holders {
+    Holder best, second;
   };
 
   Choice(std::size_t samples, const List<Hypothesis>& pool, std::size_t min_inliers);
 
   /// Those chosen, as they came.
-  const List<std::uint32_t>& order() const { return state_.order; }
-  bool holds(std::uint32_t h) const { return state_.chosen[h]; }
+  const List<std::uint32_t>& order() const { return chosen_.order; }
+  bool holds(std::uint32_t h) const { return chosen_.holds[h]; }
 
   /// What the total gains when h joins.
   Worth worthOfAdding(std::uint32_t h) const;
@@ -66,9 +63,11 @@ class Choice {
   void add(std::uint32_t h);
   void remove(std::uint32_t h);
 
-  /// To go back to.
-  State state() const { return state_; }
-  void restore(const State& state) { state_ = state; }
+  /// Notes what is to go back to. In place of a copy of all holders, those that change from here on: 3 % of a recorded
+  /// frame's instructions less.
+  void note();
+  /// To what was noted last, any number of times.
+  void goBack();
 
   /// The chosen one that is worth least, if that is nothing; else kNobody.
   std::uint32_t worthless();
@@ -105,15 +104,31 @@ class Choice {
     Tally held, left;
   };
 
+  struct Chosen {
+    List<bool> holds;           ///< of each in the pool
+    List<std::uint32_t> order;  ///< as they came
+    List<Standing> standings;   ///< of each in the pool
+  };
+
+  /// What a sample was held by before it changed.
+  struct Change {
+    std::uint32_t sample;
+    Holders before;
+  };
+
   Worth worthOf(std::uint32_t h, const Tally& tally) const;
   const Standing& standingOf(std::uint32_t h);
   double least(std::uint32_t h) const;
   double price(std::uint32_t h, double own) const;
   void enter(std::uint32_t h, const Support& support);
+  void change(std::uint32_t sample, const Holders& now);
 
   const List<Hypothesis>& pool_;
   double min_inliers_;
-  State state_;
+  Chosen chosen_, noted_;
+  List<Holders> holders_;  ///< of each sample
+  bool noting_ = false;    ///< something is to go back to
+  List<Change> changes_;   ///< since it was noted
   List<Inheritance> inheritances_;  ///< of those chosen, for worthsOfAdding()
   List<std::uint32_t> left_;        ///< of each sample: the last removal that it lost a holder by
   std::uint32_t removal_ = 0;

@@ -105,7 +105,7 @@ class Exchanges {
       if (tried_[h]) continue;
       tried_[h] = true;
       if (!mayReplace(h)) continue;
-      const Choice::State state = choice_.state();
+      choice_.note();
       choice_.remove(h);
       addGreedily(choice_, pool_, std::move(offers_[h]));
       // Without anything in its place nothing is gained: what was worthless is gone already.
@@ -116,7 +116,7 @@ class Exchanges {
           return true;
         }
       }
-      choice_.restore(state);
+      choice_.goBack();
     }
     return false;
   }

@@ -107,10 +107,10 @@ TEST(Choice, GoesBackToWhatItWas) {
   choice.add(0), choice.add(4);
   const double total = choice.total();
   const Indices order = choice.order(), owners = choice.owners();
-  const Choice::State state = choice.state();
+  choice.note();
   choice.remove(0), choice.add(8), choice.add(0);
   ASSERT_NE(choice.total(), total);
-  choice.restore(state);
+  choice.goBack();
   EXPECT_EQ(choice.total(), total);
   EXPECT_EQ(choice.order(), order);
   EXPECT_EQ(choice.owners(), owners);
