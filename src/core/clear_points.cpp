@@ -9,6 +9,7 @@
 
 #include "core/far_sides.h"
 #include "core/flat.h"
+#include "core/float_range.h"
 #include "core/pixel_ring.h"
 #include "core/point_noise.h"
 #include "core/ray_depth.h"
@@ -136,9 +137,10 @@ ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const 
 /// Of most shapes no point is that near to the cut, as the nearest and the farthest tell.
 bool ClearPoints::mayEndBeside(const List<std::uint32_t>& points) const {
   if (points.empty()) return false;
-  const auto nearer = [this](std::uint32_t a, std::uint32_t b) { return cloud_.z[a] < cloud_.z[b]; };
-  const auto ends = std::minmax_element(points.begin(), points.end(), nearer);
-  const double nearest = cloud_.z[*ends.first], farthest = cloud_.z[*ends.second];
+  List<float> depths(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) depths[k] = cloud_.z[points[k]];
+  const FloatRange range(depths.data(), depths.size());
+  const double nearest = range.low, farthest = range.high;
   // What noise there is has no maximum between two depths.
   const double most = std::max(noise_.at({0.0, 0.0, nearest}), noise_.at({0.0, 0.0, farthest}));
   return cut_.endsWithin(2.0 * kReachOfCut * most, nearest) || cut_.endsWithin(2.0 * kReachOfCut * most, farthest);
