@@ -47,6 +47,10 @@ class FitPoints {
   double meanSigma() const { return mean_sigma_; }  ///< m, noise of the distance to a surface
   kernels::FitPoints view() const { return {x_.data(), y_.data(), z_.data(), inverse_tolerance_.data(), x_.size()}; }
   kernels::MomentSums moments() const;
+  /// inverse_variance: of each normal (1/rad^2), as many as the view has points.
+  kernels::FlatNormals normals(const List<float>& inverse_variance) const {
+    return {nx_.data(), ny_.data(), nz_.data(), inverse_variance.data()};
+  }
 
  private:
   template <class ToleranceOf>

@@ -10,7 +10,10 @@
 #include <optional>
 #include <utility>
 
+#include "core/fit_points.h"
 #include "core/fitting.h"
+#include "core/flat.h"
+#include "kernels/loops.h"
 
 namespace primitect {
 namespace {
@@ -46,46 +49,43 @@ std::size_t bestCut(const List<Height>& heights, std::size_t least) {
   return best;
 }
 
-/// Samples, and how badly the best plane fits them: the sum of what they are off in distance and normal, in standard
-/// deviations, squared.
-struct Group {
-  List<std::uint32_t> samples;
-  double misfit;
+/// Some samples, gathered for planes through them.
+class PlanePoints {
+ public:
+  PlanePoints(const Samples& samples, const List<std::uint32_t>& part) {
+    points_.gather({samples, part});
+    inverse_variance_.assign(points_.view().count, 0.0f);
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const float sigma = samples.normal_sigma[part[k]];
+      if (sigma > 0.0f) inverse_variance_[k] = 1.0f / (sigma * sigma);
+    }
+  }
+
+  const Vec3& middle() const { return points_.middle(); }
+  double meanSigma() const { return points_.meanSigma(); }
+
+  /// What they are off a plane in distance and normal, in standard deviations, squared. A plane that leads from one top
+  /// to another hardly shows in the distances: it lies askew to both.
+  double misfit(const Plane& plane) const {
+    const kernels::OffPlane off = kernels::loops().offPlane(flattened(plane, points_.origin()), points_.view(),
+                                                            points_.normals(inverse_variance_));
+    return kInlierDeviations * kInlierDeviations * off.distances + off.turns;
+  }
+
+  /// Of the better of two planes: their points tell little about how a small part lies, their normals hardly about
+  /// where.
+  double misfit() const {
+    const Moments moments = momentsOf(points_);
+    const std::optional<Shape> start = fitFromMoments(Kind::plane, moments);
+    if (!start) return 0.0;
+    const Plane by_points = std::get<Plane>(refine(*start, points_).value_or(*start));
+    return std::min(misfit(by_points), misfit(Plane{moments.mean_point, moments.mean_normal.normalized()}));
+  }
+
+ private:
+  FitPoints points_;
+  List<float> inverse_variance_;  ///< of normals (1/rad^2); 0: not known
 };
-
-/// Of one sample. A plane that leads from one top to another hardly shows in the distances: it lies askew to both.
-double misfitAt(const Plane& plane, const Samples& samples, std::uint32_t i) {
-  constexpr double kMost = 9.0;  // at edges normals are worse than elsewhere
-  const double away = distance(plane, samples.point(i)) / samples.sigma[i];
-  if (!(samples.normal_sigma[i] > 0.0f)) return away * away;
-  const double turn_sq = (plane.normal.cross(samples.normal(i)) / samples.normal_sigma[i]).squaredNorm();
-  return away * away + std::min(turn_sq, kMost);
-}
-
-double misfitOf(const Plane& plane, const Samples& samples, const List<std::uint32_t>& part) {
-  double sum = 0.0;
-  for (const std::uint32_t i : part) sum += misfitAt(plane, samples, i);
-  return sum;
-}
-
-/// Of the better of two planes: its points tell little about how a small part lies, its normals hardly about where.
-double misfitOf(const Samples& samples, const List<std::uint32_t>& part) {
-  FitPoints points;
-  points.gather({samples, part});
-  const Moments moments = momentsOf(points);
-  const std::optional<Shape> start = fitFromMoments(Kind::plane, moments);
-  if (!start) return 0.0;
-  const Plane by_points = std::get<Plane>(refine(*start, points).value_or(*start));
-  const Plane by_normals = {moments.mean_point, moments.mean_normal.normalized()};
-  return std::min(misfitOf(by_points, samples, part), misfitOf(by_normals, samples, part));
-}
-
-Group together(const Samples& samples, const Group& a, const Group& b) {
-  Group both;
-  std::merge(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(), std::back_inserter(both.samples));
-  both.misfit = misfitOf(samples, both.samples);
-  return both;
-}
 
 /// What the waves of a depth camera add to the squares of a sample: shares of the variances of distance and normal.
 double wavesAt(const Samples& samples, std::uint32_t i) {
@@ -93,61 +93,77 @@ double wavesAt(const Samples& samples, std::uint32_t i) {
   return kOfDistance + (samples.normal_sigma[i] > 0.0f ? kOfNormal : 0.0);
 }
 
+double wavesOf(const Samples& samples, const List<std::uint32_t>& part) {
+  double sum = 0.0;
+  for (const std::uint32_t i : part) sum += wavesAt(samples, i);
+  return sum;
+}
+
+/// Some samples as a level top: through their mean point, with this normal.
+struct LevelTop {
+  Vec3 mean;
+  double sigma;   ///< m, mean of the samples
+  double misfit;  ///< as of a group
+
+  LevelTop(const PlanePoints& points, const Vec3& level)
+      : mean(points.middle()), sigma(points.meanSigma()), misfit(points.misfit({mean, level})) {}
+};
+
+/// Samples, and how badly the best plane fits them. What pairs ask of each is found once.
+struct Group {
+  List<std::uint32_t> samples;
+  double misfit;
+  double waves;
+  std::optional<LevelTop> top;  ///< where a level is known
+
+  Group(const Samples& all, List<std::uint32_t> some, const std::optional<Vec3>& level)
+      : samples(std::move(some)), waves(wavesOf(all, samples)) {
+    const PlanePoints points(all, samples);
+    misfit = points.misfit();
+    if (level) top.emplace(points, *level);
+  }
+};
+
 /// What chance alone hardly reaches.
 constexpr double kSure = 15.0;
 
 /// How much worse one plane fits both than one for each does, as a share of what noise and the waves of a depth
-/// camera explain; below 1: it is the same plane.
-double disagreement(const Samples& samples, const Group& a, const Group& b, const Group& both) {
-  double waves = 0.0;
-  for (const std::uint32_t i : both.samples) waves += wavesAt(samples, i);
-  return (both.misfit - a.misfit - b.misfit) / std::max(kSure, waves);
+/// camera explain; below 1: it is the same plane. misfit: of one plane to both.
+double disagreement(const Group& a, const Group& b, double misfit) {
+  return (misfit - a.misfit - b.misfit) / std::max(kSure, a.waves + b.waves);
 }
-
-/// A group as a level top: through its mean point, with this normal.
-struct LevelTop {
-  Vec3 mean = Vec3::Zero();
-  double sigma = 0.0;   ///< m, mean of the samples
-  double misfit = 0.0;  ///< as of a group
-
-  LevelTop(const Samples& samples, const Group& group, const Vec3& level) {
-    const double share = 1.0 / static_cast<double>(group.samples.size());
-    for (const std::uint32_t i : group.samples) mean += share * samples.point(i), sigma += share * samples.sigma[i];
-    for (const std::uint32_t i : group.samples) misfit += misfitAt({mean, level}, samples, i);
-  }
-};
 
 /// What two groups are if they are tops that lie level.
 enum class Tops { not_level, one_height, two_heights };
 
-Tops topsOf(const Samples& samples, const Group& a, const Group& b, const Group& both, const Vec3& level) {
+Tops topsOf(const Group& a, const Group& b, double misfit_of_both, const Vec3& level) {
   constexpr double kAsWell = 0.1;      // more misfit for each sample; whole level planes differed by 0.02 at most
   constexpr double kDeviations = 1.5;  // of the noise of a point
   constexpr double kLevelOff = 0.002;  // rad, what the level may be off
-  const LevelTop first(samples, a, level), second(samples, b, level);
+  const LevelTop &first = *a.top, &second = *b.top;
   const double misfit = first.misfit + second.misfit;
-  const double margin = std::max(kSure, kAsWell * static_cast<double>(both.samples.size()));
+  const double margin = std::max(kSure, kAsWell * static_cast<double>(a.samples.size() + b.samples.size()));
   if (misfit > a.misfit + b.misfit + margin) return Tops::not_level;
   const Vec3 way = second.mean - first.mean;
   const double least = kDeviations * 0.5 * (first.sigma + second.sigma) + kLevelOff * way.norm();
   if (std::abs(level.dot(way)) < least) return Tops::one_height;
-  return misfit + margin < both.misfit ? Tops::two_heights : Tops::not_level;
+  return misfit + margin < misfit_of_both ? Tops::two_heights : Tops::not_level;
 }
 
-/// Two groups as one, and how little that one plane fits both.
-struct Pair {
-  Group joined;
-  double apart;
-};
+/// In rising order.
+List<std::uint32_t> together(const Group& a, const Group& b) {
+  List<std::uint32_t> both;
+  both.reserve(a.samples.size() + b.samples.size());
+  std::merge(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(), std::back_inserter(both));
+  return both;
+}
 
-Pair pairOf(const Samples& samples, const Group& a, const Group& b, const std::optional<Vec3>& level) {
-  Pair pair;
-  pair.joined = together(samples, a, b);
-  pair.apart = disagreement(samples, a, b, pair.joined);
-  const Tops tops = level ? topsOf(samples, a, b, pair.joined, *level) : Tops::not_level;
-  if (tops == Tops::one_height) pair.apart = std::min(pair.apart, 0.0);
-  if (tops == Tops::two_heights) pair.apart = std::max(pair.apart, 1.0);
-  return pair;
+/// How little one plane fits both; below 1: it is the same plane.
+double apartness(const Samples& samples, const Group& a, const Group& b, const std::optional<Vec3>& level) {
+  const double misfit = PlanePoints(samples, together(a, b)).misfit(), apart = disagreement(a, b, misfit);
+  const Tops tops = level ? topsOf(a, b, misfit, *level) : Tops::not_level;
+  if (tops == Tops::one_height) return std::min(apart, 0.0);
+  return tops == Tops::two_heights ? std::max(apart, 1.0) : apart;
 }
 
 /// Groups that become fewer while one plane fits two of them.
@@ -155,7 +171,7 @@ class Grouping {
  public:
   Grouping(const Samples& samples, const SampleParts& parts, const std::optional<Vec3>& level)
       : samples_(samples), level_(level) {
-    for (const List<std::uint32_t>& part : parts) add({part, misfitOf(samples, part)});
+    for (const List<std::uint32_t>& part : parts) add(part);
   }
 
   /// Joins the two that are most at one; false when no two are.
@@ -164,14 +180,14 @@ class Grouping {
     std::size_t first = 0, second = 0;
     for (std::size_t b = 1; b < groups_.size(); ++b) {
       for (std::size_t a = 0; a < b; ++a) {
-        if (!(pairs_[b][a].apart < least)) continue;
-        least = pairs_[b][a].apart;
+        if (!(apart_[b][a] < least)) continue;
+        least = apart_[b][a];
         first = a;
         second = b;
       }
     }
     if (first == second) return false;
-    Group joined = std::move(pairs_[second][first].joined);
+    List<std::uint32_t> joined = together(groups_[first], groups_[second]);
     leave(second);
     leave(first);
     add(std::move(joined));
@@ -187,24 +203,25 @@ class Grouping {
   }
 
  private:
-  void add(Group group) {
-    List<Pair> with_others;
-    for (const Group& other : groups_) with_others.push_back(pairOf(samples_, other, group, level_));
-    pairs_.push_back(std::move(with_others));
+  void add(List<std::uint32_t> samples) {
+    Group group(samples_, std::move(samples), level_);
+    List<double> from_others;
+    for (const Group& other : groups_) from_others.push_back(apartness(samples_, other, group, level_));
+    apart_.push_back(std::move(from_others));
     groups_.push_back(std::move(group));
   }
 
   void leave(std::size_t k) {
     const auto at = static_cast<std::ptrdiff_t>(k);
     groups_.erase(groups_.begin() + at);
-    pairs_.erase(pairs_.begin() + at);
-    for (std::size_t b = k; b < pairs_.size(); ++b) pairs_[b].erase(pairs_[b].begin() + at);
+    apart_.erase(apart_.begin() + at);
+    for (std::size_t b = k; b < apart_.size(); ++b) apart_[b].erase(apart_[b].begin() + at);
   }
 
   const Samples& samples_;
   std::optional<Vec3> level_;
   List<Group> groups_;
-  List<List<Pair>> pairs_;  ///< of each group with those before it
+  List<List<double>> apart_;  ///< of each group from those before it
 };
 
 }  // namespace

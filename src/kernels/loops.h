@@ -67,6 +67,22 @@ struct FitPoints {
   std::size_t count;
 };
 
+/// Normals of points that are fitted to, and the inverse of each one's variance about each axis; 0 where that is not
+/// known, and for what fills up.
+struct FlatNormals {
+  const float *x, *y, *z;
+  const float* inverse_variance;  ///< 1/rad^2
+};
+
+/// How far points are off a plane: sums of squares of their distances, by their tolerances, and of the turns of their
+/// normals, by standard deviations about each axis, up to kMostTurnSq each.
+struct OffPlane {
+  double distances, turns;
+};
+
+/// At edges normals are worse than elsewhere.
+constexpr float kMostTurnSq = 9.0f;
+
 /// J' W J and -J' W r of a step of least squares with Tukey's biweight; of the hessian the lower triangle. Parameters
 /// (m, rad; first, second: along FlatTurn):
 ///   plane     turn of the normal (2), shift along it
@@ -207,6 +223,8 @@ struct Loops {
   /// Sum of 1 - (distance / tolerance)^2 over the points within their tolerance, of every so many-th kLanes of them. Up
   /// to 2^20 points: with more, sums in float lose digits.
   double (*agreement)(const FlatShape& shape, const FitPoints& points, std::size_t every);
+
+  OffPlane (*offPlane)(const FlatShape& plane, const FitPoints& points, const FlatNormals& normals);
 
   /// fields: x, y, z, nx, ny, nz of count points, a multiple of kLanes; filled up with zeros. once: 1 for each point, 0
   /// for what fills up.

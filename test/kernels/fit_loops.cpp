@@ -205,6 +205,37 @@ TEST(Agreement, IsThatOfTheDistancesOnEveryInstructionSet) {
   }
 }
 
+TEST(OffPlane, IsThatOfDistancesAndNormalsOnEveryInstructionSet) {
+  Random random(85);
+  const Plane plane = {Vec3(0.01, -0.02, 0.03), Vec3(0.36, 0.48, -0.8)};
+  for (const std::size_t count : {1u, 15u, 16u, 17u, 300u}) {
+    Samples samples = randomSamples(count, random);
+    for (std::size_t i = 0; i < count; ++i) samples.normal_sigma[i] = i % 3 == 0 ? 0.0f : 0.3f;
+    const FitPoints points = test::fitPointsOf(samples);
+    List<float> inverse_variance(points.view().count, 0.0f);
+    double distances = 0.0, turns = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double share = distance(plane, samples.point(i)) * samples.inverse_tolerance[i];
+      distances += share * share;
+      const double sigma = samples.normal_sigma[i];
+      if (!(sigma > 0.0)) continue;
+      inverse_variance[i] = static_cast<float>(1.0 / (sigma * sigma));
+      turns += std::min((plane.normal.cross(samples.normal(i)) / sigma).squaredNorm(), 9.0);
+    }
+    const kernels::FlatShape flat = flattened(plane, points.origin());
+    const auto off = [&](const kernels::Loops& loops) {
+      return loops.offPlane(flat, points.view(), points.normals(inverse_variance));
+    };
+    const kernels::OffPlane first = off(**kernels::allLoops().begin());
+    EXPECT_NEAR(first.distances, distances, 1e-4 * distances);
+    EXPECT_NEAR(first.turns, turns, 1e-4 * static_cast<double>(count));
+    for (const kernels::Loops* loops : kernels::allLoops()) {
+      EXPECT_EQ(off(*loops).distances, first.distances) << loops->name;
+      EXPECT_EQ(off(*loops).turns, first.turns) << loops->name;
+    }
+  }
+}
+
 TEST(Moments, AreSumsOverThePointsAlone) {
   Random random(83);
   for (const std::size_t count : {1u, 16u, 33u, 2000u}) {
