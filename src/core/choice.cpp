@@ -46,7 +46,7 @@ void Choice::worthsOfAdding(std::uint32_t h, List<WorthWithout>& worths) {
 
 void Choice::add(std::uint32_t h) {
   for (const std::uint32_t kept : chosen_.order) {
-    if (mayOverlap(pool_[kept], pool_[h])) chosen_.standings[kept].known = false;
+    if (concerns(pool_[h], pool_[kept])) chosen_.standings[kept].known = false;
   }
   chosen_.holds[h] = true;
   chosen_.standings[h].known = false;
@@ -65,7 +65,7 @@ void Choice::remove(std::uint32_t h) {
     left_[support.sample] = removal_;
   }
   for (const std::uint32_t kept : chosen_.order) {
-    if (!mayOverlap(pool_[kept], pool_[h])) continue;
+    if (!concerns(pool_[h], pool_[kept])) continue;
     chosen_.standings[kept].known = false;
     for (const Support& support : pool_[kept].support) {
       if (left_[support.sample] == removal_) enter(kept, support);

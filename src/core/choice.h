@@ -126,9 +126,9 @@ class Choice {
   const List<Hypothesis>& pool_;
   double min_inliers_;
   Chosen chosen_, noted_;
-  List<Holders> holders_;  ///< of each sample
-  bool noting_ = false;    ///< something is to go back to
-  List<Change> changes_;   ///< since it was noted
+  List<Holders> holders_;           ///< of each sample
+  bool noting_ = false;             ///< something is to go back to
+  List<Change> changes_;            ///< since it was noted
   List<Inheritance> inheritances_;  ///< of those chosen, for worthsOfAdding()
   List<std::uint32_t> left_;        ///< of each sample: the last removal that it lost a holder by
   std::uint32_t removal_ = 0;

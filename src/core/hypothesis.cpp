@@ -55,6 +55,14 @@ void beginSupport(const Samples& samples, Hypothesis& hypothesis) {
   hypothesis.support.clear();
   hypothesis.blocks.assign(samples.blocks.size() / 64 + 1, 0);
   hypothesis.on.assign(samples.size() / 64 + 1, 0);
+  hypothesis.near.assign(samples.size() / 64 + 1, 0);
+}
+
+/// Sets those of the bits that are set, the lowest for the sample `begin`.
+void mark(std::uint64_t bits, std::size_t begin, List<std::uint64_t>& all) {
+  const std::size_t word = begin / 64, shift = begin % 64;
+  all[word] |= bits << shift;
+  if (shift > 0 && bits >> (64 - shift) != 0) all[word + 1] |= bits >> (64 - shift);
 }
 
 /// Takes the gains of a block of samples into the support, and notes the block.
@@ -69,9 +77,8 @@ void take(const float* gains, const SampleBlock& block, Hypothesis& hypothesis) 
     *support++ = {static_cast<std::uint32_t>(block.begin + i), gains[i]};
   }
   hypothesis.blocks[block.index / 64] |= std::uint64_t{1} << block.index % 64;
-  const std::size_t word = block.begin / 64, shift = block.begin % 64;
-  hypothesis.on[word] |= on << shift;
-  if (shift > 0 && on >> (64 - shift) != 0) hypothesis.on[word + 1] |= on >> (64 - shift);
+  mark(on, block.begin, hypothesis.on);
+  mark(near, block.begin, hypothesis.near);
 }
 
 /// Fills score, gain_sum and inliers, and calls use(block, gains) for each block with samples near the shape.
@@ -151,12 +158,22 @@ void inliersAround(const Vec3& point, double reach, const Samples& samples, cons
   forGains(samples, held, widen, kInliers, hypothesis, OneBlock(), within, add);
 }
 
-bool mayOverlap(const Hypothesis& a, const Hypothesis& b) {
-  const std::size_t count = std::min(a.blocks.size(), b.blocks.size());
+namespace {
+
+bool haveCommonBits(const List<std::uint64_t>& a, const List<std::uint64_t>& b) {
+  const std::size_t count = std::min(a.size(), b.size());
   for (std::size_t k = 0; k < count; ++k) {
-    if (a.blocks[k] & b.blocks[k]) return true;
+    if (a[k] & b[k]) return true;
   }
   return false;
+}
+
+}  // namespace
+
+bool mayOverlap(const Hypothesis& a, const Hypothesis& b) { return haveCommonBits(a.blocks, b.blocks); }
+
+bool concerns(const Hypothesis& other, const Hypothesis& hypothesis) {
+  return mayOverlap(other, hypothesis) && haveCommonBits(other.on, hypothesis.near);
 }
 
 std::size_t commonInliers(const Hypothesis& a, const Hypothesis& b) {

@@ -55,7 +55,7 @@ void addGreedily(Choice& choice, const List<Hypothesis>& pool, List<Offer> offer
     const Hypothesis& added = pool[best->hypothesis];
     choice.add(best->hypothesis);
     offers.erase(offers.begin() + (best - offers.data()));
-    for (Offer& offer : offers) offer.known = offer.known && !mayOverlap(pool[offer.hypothesis], added);
+    for (Offer& offer : offers) offer.known = offer.known && !concerns(added, pool[offer.hypothesis]);
     dropHopeless();
   }
 }
