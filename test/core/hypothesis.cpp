@@ -276,6 +276,27 @@ std::size_t countedInCommon(const Hypothesis& a, const Hypothesis& b) {
   return both.size();
 }
 
+TEST(Concerns, WhatIsExplainedNearTheOtherAndNotWhatSharesABlockAlone) {
+  // One block: a plane, samples between one and two tolerances above it, and such that it is nowhere near.
+  std::vector<SurfacePoint> points;
+  for (const double height : {0.0, 1.5 * kTolerance, 0.1}) {
+    for (int k = 0; k < 10; ++k) points.push_back({Vec3(0.01 * k, 0.0, 1.0 - height), Vec3(0, 0, -1)});
+  }
+  const Samples samples = samplesWith(kNoiseModel, points);
+  const auto level = [&](double height) {
+    return hypothesisOf(Plane{Vec3(0, 0, 1.0 - height), Vec3(0, 0, -1)}, samples);
+  };
+  const Hypothesis floor = level(0.0), above = level(1.5 * kTolerance), top = level(0.1);
+  EXPECT_TRUE(mayOverlap(floor, top));
+  EXPECT_FALSE(concerns(floor, top) || concerns(top, floor));
+  // Neither explains a sample of the other, but those speak against it until they are explained.
+  EXPECT_EQ(commonInliers(floor, above), 0u);
+  EXPECT_TRUE(concerns(floor, above) && concerns(above, floor));
+  Hypothesis silent = above;
+  silence(silent);
+  EXPECT_FALSE(concerns(silent, floor));
+}
+
 TEST(CommonInliers, AreThoseInBothLists) {
   // The second draw's blocks begin where the first draw's last one ended early.
   Random random(12);
