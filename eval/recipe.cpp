@@ -38,9 +38,12 @@ void checkRecipe(const Recipe& recipe) {
   const UsedBySet used = usedBySet(recipe.set);
   checkUnused(used.sigma, recipe, "sigma", recipe.sigma, usual.sigma);
   checkUnused(used.depth_frame, recipe, "noise_scale", recipe.noise_scale, usual.noise_scale);
+  checkUnused(used.depth_frame, recipe, "noise_grain", recipe.noise_grain, usual.noise_grain);
   checkUnused(used.depth_frame, recipe, "width", recipe.width, usual.width);
   checkUnused(used.outliers, recipe, "outliers", recipe.outliers, usual.outliers);
   check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
+  check(recipe.noise_grain >= 1 && recipe.noise_grain <= 31 && recipe.noise_grain % 2 == 1, "noise_grain",
+        recipe.noise_grain, "1 to 31, odd");
   check(recipe.width >= 160 && recipe.width <= 2560, "width", recipe.width, "160 to 2560");
   check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
   check(recipe.uneven >= 1.0 && recipe.uneven <= 1000.0, "uneven", recipe.uneven, "1 to 1000");
@@ -54,6 +57,7 @@ std::string describe(const Recipe& recipe) {
   };
   add(used.sigma, "sigma " + numberText(recipe.sigma));
   add(used.depth_frame, "noise x " + numberText(recipe.noise_scale));
+  add(recipe.noise_grain != 1, "grain " + numberText(recipe.noise_grain) + " px");
   add(recipe.width != Recipe().width, "width " + numberText(recipe.width));
   add(recipe.outliers != 0.0, "outliers " + numberText(recipe.outliers));
   add(recipe.keep != 1.0, "keep " + numberText(recipe.keep));

@@ -104,15 +104,25 @@ Json detectionsJson(const LabelledCloud& input, const Answer& answer, const Case
 
 std::string scoreLine(const LabelledCloud& input, const Method& method, const Answer& answer, const CaseScore& score) {
   const Recipe& recipe = input.recipe;
-  Json json = {{"set", recipe.set},         {"seed", recipe.seed},
-               {"sigma", recipe.sigma},     {"noise_scale", recipe.noise_scale},
-               {"width", recipe.width},     {"outliers", recipe.outliers},
-               {"keep", recipe.keep},       {"uneven", recipe.uneven},
-               {"shuffle", recipe.shuffle}, {"robot_frame", recipe.robot_frame},
-               {"unit", input.unit},        {"points", score.points},
-               {"method", method.name},     {"algorithm_seed", method.algorithm_seed},
-               {"failure", answer.failure}, {"total_ms", answer.total_ms},
-               {"vote_ms", answer.vote_ms}, {"prepare_ms", answer.prepare_ms}};
+  Json json = {{"set", recipe.set},
+               {"seed", recipe.seed},
+               {"sigma", recipe.sigma},
+               {"noise_scale", recipe.noise_scale},
+               {"noise_grain", recipe.noise_grain},
+               {"width", recipe.width},
+               {"outliers", recipe.outliers},
+               {"keep", recipe.keep},
+               {"uneven", recipe.uneven},
+               {"shuffle", recipe.shuffle},
+               {"robot_frame", recipe.robot_frame},
+               {"unit", input.unit},
+               {"points", score.points},
+               {"method", method.name},
+               {"algorithm_seed", method.algorithm_seed},
+               {"failure", answer.failure},
+               {"total_ms", answer.total_ms},
+               {"vote_ms", answer.vote_ms},
+               {"prepare_ms", answer.prepare_ms}};
   json["all"] = countsJson(score.all);
   json["false_curved"] = score.false_curved;
   json["errors"] = Json::object();

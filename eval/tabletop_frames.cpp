@@ -172,6 +172,7 @@ LabelledCloud tabletopFrame(const Recipe& recipe) {
       PinholeCamera().scaledTo(recipe.width, recipe.width * 3 / 4), synthetic::clutterPose(recipe.seed)};
   synthetic::FrameParams params;
   params.noise.scale = recipe.noise_scale;
+  params.noise.grain = recipe.noise_grain;
   const Frame frame = renderFrame(view.world, view.camera, view.world_from_camera, params, recipe.seed, 0);
   LabelledCloud result;
   result.recipe = recipe;

@@ -234,6 +234,23 @@ TEST(Recipe, OfADepthFrameScalesItsNoise) {
   EXPECT_GT(error(2.0), 1.3 * error(1.0));
 }
 
+TEST(Recipe, OfADepthFrameMakesItsNoiseCoarse) {
+  const auto roughness = [](int grain) {
+    Recipe recipe = recipeOf("tabletop");
+    recipe.noise_scale = 3.0;
+    recipe.noise_grain = grain;
+    const Cloud cloud = makeLabelledCloud(recipe).cloud;
+    std::vector<double> steps;
+    for (std::size_t i = 0; i + 1 < cloud.size(); ++i) {
+      if (cloud.valid(i) && cloud.valid(i + 1)) steps.push_back(std::abs(cloud.z[i + 1] - cloud.z[i]));
+    }
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+    return steps[steps.size() / 2];
+  };
+  // From pixel to pixel it changes by the root of 2 / 5 of its deviation instead of that of 2.
+  EXPECT_LT(roughness(5), 0.7 * roughness(1));
+}
+
 TEST(Parts, AreMeasuredWithNoiseAndScoredWithout) {
   const LabelledCloud part = makeLabelledCloud(recipeOf("parts"));
   double largest = 0.0;
@@ -399,6 +416,9 @@ TEST(Recipe, WithAValueThatTheSetDoesNotUseIsRefused) {
   recipe.noise_scale = 2.0;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
   recipe = recipeOf("paper-mixed");
+  recipe.noise_grain = 5;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe = recipeOf("paper-mixed");
   recipe.width = 1280;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
 }
@@ -406,6 +426,9 @@ TEST(Recipe, WithAValueThatTheSetDoesNotUseIsRefused) {
 TEST(Recipe, IsDescribedByWhatTheSetUses) {
   Recipe recipe = recipeOf("tabletop");
   EXPECT_EQ(describe(recipe), "noise x 1");
+  recipe.noise_scale = 3.0;
+  recipe.noise_grain = 5;
+  EXPECT_EQ(describe(recipe), "noise x 3, grain 5 px");
   recipe = recipeOf("small");
   recipe.shuffle = true;
   recipe.outliers = 0.3;
@@ -423,6 +446,9 @@ TEST(Recipe, OutOfRangeIsRefused) {
   recipe.sigma = -1.0;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
   EXPECT_THROW(makeLabelledCloud(recipeOf("paper-cubes")), std::invalid_argument);
+  recipe = recipeOf("tabletop");
+  recipe.noise_grain = 4;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument) << "even";
   recipe = recipeOf("tabletop");
   recipe.outliers = 0.1;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);

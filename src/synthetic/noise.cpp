@@ -3,6 +3,7 @@
 // The structured-light noise model, pass by pass: slant, range, noise, quantisation.
 #include "synthetic/noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -23,6 +24,7 @@ void require(bool holds, const char* name, double value, const char* range) {
 
 void check(const NoiseParams& params, const PinholeCamera& camera, const std::vector<float>& depth) {
   require(params.scale >= 0.0 && params.scale <= 100.0, "scale", params.scale, "0 to 100");
+  require(params.grain >= 1 && params.grain <= 31 && params.grain % 2 == 1, "grain", params.grain, "1 to 31 px, odd");
   require(params.baseline > 0.0 && params.baseline <= 10.0, "baseline", params.baseline, "above 0, to 10 m");
   require(params.disparity_step >= 0.0 && params.disparity_step <= 10.0, "disparity_step", params.disparity_step,
           "0 to 10 px");
@@ -97,10 +99,42 @@ void removeOutOfRange(const NoiseParams& params, std::vector<float>& depth) {
   }
 }
 
-void addAxialNoise(double scale, std::uint64_t seed, std::vector<float>& depth) {
+/// Sums over `grain` neighbours along one direction, those that the field has, over the root of their number: of
+/// independent values with variance 1, so is the result's.
+void smooth(int grain, std::size_t lines, std::size_t line_step, std::size_t length, std::size_t step,
+            std::vector<float>& field) {
+  const auto half = static_cast<std::size_t>(grain / 2);
+  std::vector<double> before(length + 1, 0.0);
+  for (std::size_t line = 0; line < lines; ++line) {
+    float* const at = &field[line * line_step];
+    for (std::size_t k = 0; k < length; ++k) before[k + 1] = before[k] + static_cast<double>(at[k * step]);
+    for (std::size_t k = 0; k < length; ++k) {
+      const std::size_t first = k < half ? 0 : k - half, end = std::min(length, k + half + 1);
+      at[k * step] = static_cast<float>((before[end] - before[first]) / std::sqrt(static_cast<double>(end - first)));
+    }
+  }
+}
+
+/// Mean 0, variance 1.
+std::vector<float> noiseField(int grain, const PinholeCamera& camera, std::uint64_t seed) {
   Random random(seed);
-  const float factor = static_cast<float>(scale);
-  for (float& z : depth) z += factor * static_cast<float>(axialSigma(z)) * nearlyGaussian(random.next());
+  std::vector<float> field(camera.pixelCount());
+  for (float& value : field) value = nearlyGaussian(random.next());
+  if (grain > 1) {
+    const auto width = static_cast<std::size_t>(camera.width), height = static_cast<std::size_t>(camera.height);
+    smooth(grain, height, width, width, 1, field);
+    smooth(grain, width, 1, height, width, field);
+  }
+  return field;
+}
+
+void addAxialNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint64_t seed,
+                   std::vector<float>& depth) {
+  const std::vector<float> field = noiseField(params.grain, camera, seed);
+  const float factor = static_cast<float>(params.scale);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    depth[i] += factor * static_cast<float>(axialSigma(depth[i])) * field[i];
+  }
 }
 
 void quantize(const NoiseParams& params, double fx, std::vector<float>& depth) {
@@ -123,7 +157,7 @@ void addNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint6
   check(params, camera, depth);
   if (params.max_incidence_deg < 90.0) removeSlanted(params, camera, depth);
   removeOutOfRange(params, depth);
-  if (params.scale > 0.0) addAxialNoise(params.scale, frameSeed(seed, frame_index), depth);
+  if (params.scale > 0.0) addAxialNoise(params, camera, frameSeed(seed, frame_index), depth);
   if (params.disparity_step > 0.0) quantize(params, camera.fx, depth);
   removeOutOfRange(params, depth);
 }

@@ -13,6 +13,7 @@ namespace primitect::synthetic {
 /// The sensor's faults. Each can be switched off alone.
 struct NoiseParams {
   double scale = 1.0;               ///< times axialSigma(); 0 = off
+  int grain = 1;                    ///< px, odd: noise is the mean of so many by so many pixels, as of a block matcher
   double baseline = 0.075;          ///< between projector and camera, m
   double disparity_step = 0.125;    ///< px; disparities are multiples of it; 0 = off
   double max_incidence_deg = 80.0;  ///< surfaces slanted more, and depth steps that look like it, are lost; 90 = off
@@ -33,8 +34,9 @@ double quantizedDepth(double z, const NoiseParams& params, double fx);
 ///    between neighbours is such a slant too (at 1 m: a step of 1 cm), so both sides of an edge go;
 ///  - when its neighbour saw nothing;
 ///  - when its depth, exact or measured, is outside min_depth..max_depth.
-/// Depends on (seed, frame_index) only; a pixel's noise does not depend on the other pixels.
-/// Throws std::invalid_argument when a parameter is out of its range or depth does not have the camera's size.
+/// Depends on (seed, frame_index) only; without grain, a pixel's noise does not depend on the other pixels. With it,
+/// the noise of pixels d columns apart has the correlation 1 - d / grain. Throws std::invalid_argument when a parameter
+/// is out of its range or depth does not have the camera's size.
 void addNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint64_t seed, std::uint64_t frame_index,
               std::vector<float>& depth);
 

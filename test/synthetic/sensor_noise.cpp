@@ -87,6 +87,34 @@ TEST(SensorNoise, NeighbouringPixelsAndFramesAreIndependent) {
   EXPECT_NEAR(between_frames / variance, 0.0, 5.0 / 554);
 }
 
+TEST(SensorNoise, InGrainsIsAsStrongAndSharedByNeighbours) {
+  constexpr int kGrain = 5;
+  NoiseParams params = noNoise();
+  params.scale = 1.0;
+  params.grain = kGrain;
+  std::vector<float> depth = flatImage(1.0);
+  addNoise(params, kCamera, 7, 3, depth);
+  // Grains are a 25th as many values as pixels: the standard error of sigma is .6 %, that of a correlation 1 %.
+  EXPECT_NEAR(errorsOf(depth, 1.0).sigma, axialSigma(1.0), 0.03 * axialSigma(1.0));
+  const auto correlation = [&depth](int apart) {
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i + apart < depth.size(); ++i) {
+      sum += (depth[i] - 1.0) * (depth[i + apart] - 1.0);
+      squares += (depth[i] - 1.0) * (depth[i] - 1.0);
+    }
+    return sum / squares;
+  };
+  for (const int apart : {1, 2, 4, 5, 8}) {
+    const double shared = std::max(0.0, 1.0 - static_cast<double>(apart) / kGrain);
+    EXPECT_NEAR(correlation(apart), shared, 0.05) << apart << " columns";
+    EXPECT_NEAR(correlation(apart * kCamera.width), shared, 0.05) << apart << " rows";
+  }
+  for (const int wrong : {0, 2, 33}) {
+    params.grain = wrong;
+    EXPECT_THROW(addNoise(params, kCamera, 7, 3, depth), std::invalid_argument) << wrong;
+  }
+}
+
 TEST(SensorNoise, OfAPixelDoesNotDependOnOtherPixels) {
   NoiseParams params = noNoise();
   params.scale = 1.0;
