@@ -80,9 +80,18 @@ def variant_rows():
         yield Row(section, title, recipe, "all", like(other, 1.0))
 
 
+def noisy_camera_rows():
+    """What is told only."""
+    section = "Tables seen by noisier cameras"
+    for scale, grain in ((2.0, 1), (3.0, 1), (2.0, 5), (3.0, 5)):
+        title = "noise x %g" % scale + (", in grains of %d px" % grain if grain > 1 else "")
+        yield Row(section, title, Recipe("tabletop", noise_scale=scale, noise_grain=grain), "all", ())
+
+
 def rows():
     """All rows in the order of the table."""
-    return [row for make in (paper_rows, noise_rows, small_rows, tabletop_rows, variant_rows) for row in make()]
+    return [row for make in (paper_rows, noise_rows, small_rows, tabletop_rows, variant_rows, noisy_camera_rows)
+            for row in make()]
 
 
 def sets():

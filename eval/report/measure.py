@@ -24,6 +24,8 @@ def command_of(program, call):
                "--repeat", str(call.repeat)]
     if recipe.uneven != 1.0:
         command += ["--uneven", repr(recipe.uneven)]
+    if recipe.noise_grain != 1:
+        command += ["--noise-grain", str(recipe.noise_grain)]
     for method in call.methods:
         command += ["--method", method]
     return command + ["--json", "-"] + (["--shuffle"] if recipe.shuffle else [])

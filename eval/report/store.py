@@ -8,7 +8,7 @@ import os
 from report.plan import Key, Recipe
 
 
-LATER = {"uneven": 1.0, "shuffle": False}  # older lines do not have these
+LATER = {"uneven": 1.0, "shuffle": False, "noise_grain": 1}  # older lines do not have these
 
 
 class Mixed(Exception):
@@ -41,7 +41,7 @@ def load(path):
 def key_of(line):
     """What makes a kept line the answer to one question."""
     # Rounded: the program prints what it was given, but perhaps not to the last digit.
-    recipe = Recipe(line["set"], *(round(line[name], 9) for name in Recipe._fields[1:-2]),
+    recipe = Recipe(line["set"], *(round(line[name], 9) for name in Recipe._fields[1:-len(LATER)]),
                     *(line.get(name, usual) for name, usual in LATER.items()))
     return Key(recipe, line["seed"], line["text"], line["repeat"])
 
