@@ -52,14 +52,15 @@ SeenPoints within(const ObservedPart& part, const SeenPoints& points, const Nois
 
 }  // namespace
 
-Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
+Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const MeasurementNoise& noise,
                          const Limits& limits)
     : cloud_(cloud),
       rays_(rays),
-      noise_(noise),
+      tolerated_(noise.tolerated),
+      noise_(noise.full),
       limits_(limits),
       range_(rangeOf(params)),
-      sigma_(noise),
+      sigma_(noise.full),
       truncation_(cloud, rays, range_, sigma_) {}
 
 /// What a depth camera saw of curved shapes is fitted along its rays, and has no bias by the noise. Planes are not:
@@ -84,7 +85,7 @@ Shape Measurement::unbiased(const Shape& fit) const {
 Shape Measurement::start(const Detection& found) {
   const Shape& shape = found.shape;
   if (kindOf(shape) != Kind::cylinder && kindOf(shape) != Kind::cone) return shape;
-  fit_points_.gather(within(ObservedPart(shape, found.extent), points_, noise_), noise_);
+  fit_points_.gather(within(ObservedPart(shape, found.extent), points_, tolerated_), tolerated_);
   return refineOnPoints(shape, fit_points_, limits_);
 }
 

@@ -24,10 +24,15 @@ namespace primitect {
 /// Points at other depths are missing.
 DepthRange rangeOf(const Params& params);
 
+/// What tells which points count where a shape is looked for, and what they are fitted by; see toleratedScale().
+struct MeasurementNoise {
+  NoiseModel tolerated, full;
+};
+
 /// Of one frame.
 class Measurement {
  public:
-  Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const NoiseModel& noise,
+  Measurement(const Cloud& cloud, const ImageRays& rays, const Params& params, const MeasurementNoise& noise,
               const Limits& limits);
 
   /// Which of the clear points lie on the shape that was fitted to them.
@@ -54,7 +59,7 @@ class Measurement {
 
   const Cloud& cloud_;
   ImageRays rays_;
-  NoiseModel noise_;
+  NoiseModel tolerated_, noise_;
   Limits limits_;
   DepthRange range_;
   PointNoise sigma_;

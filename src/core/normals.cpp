@@ -35,7 +35,8 @@ bool anyNormal(const Samples& samples) {
   return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
 }
 
-void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_meter, double share, Samples& samples) {
+void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_meter, double share, double noise_scale,
+                Samples& samples) {
   constexpr double kSmallestWindow = 3.0, kFewestPixels = 2.0;
   // Twice the half width and one is the width.
   const double at_one_meter = share * (window_at_one_meter + 0.5) - 0.5;
@@ -45,7 +46,7 @@ void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_m
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double wanted = std::clamp(at_one_meter / samples.z[i], smallest, largest);
     const int half_width = static_cast<int>(std::lround(wanted));
-    const auto normal = windowNormal(image, samples.index[i], samples.point(i), half_width, pitch);
+    const auto normal = windowNormal(image, samples.index[i], samples.point(i), half_width, pitch, noise_scale);
     if (!normal) continue;
     store(normal->direction, i, samples);
     samples.normal_sigma[i] = static_cast<float>(normal->sigma);
@@ -95,6 +96,11 @@ const ImageRays& raysOf(const Cloud& cloud, NormalSource& source) {
   return *source.rays;
 }
 
+const PixelPitch& pixelPitch(const Cloud& image, NormalSource& source) {
+  if (!source.pitch) source.pitch = pitchOf(raysOf(image, source));
+  return *source.pitch;
+}
+
 bool isDepthImage(const Cloud& cloud) {
   // The image window needs depth along z, as in an optical frame.
   return cloud.organized() && cloud.behind_count == 0;
@@ -135,9 +141,8 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
     if (anyNormal(samples) && source.neighbor_count <= 0) return;
   }
   if (source.neighbor_count <= 0 && isDepthImage(cloud)) {
-    if (!source.pitch) source.pitch = pitchOf(raysOf(cloud, source));
     const double share = shareOfUsualWindows(raysOf(cloud, source));
-    return fitWindows(cloud, *source.pitch, params.normal_window, share, samples);
+    return fitWindows(cloud, pixelPitch(cloud, source), params.normal_window, share, source.noise_scale, samples);
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;

@@ -20,6 +20,7 @@ struct NormalSource {
   std::unique_ptr<NeighborSearch> neighbors;
   std::optional<ImageRays> rays;    ///< of the organized cloud
   std::optional<PixelPitch> pitch;  ///< the same
+  double noise_scale = 1.0;         ///< of the image, times axialNoise()
   int neighbor_count = 0;           ///< above 0: measured from so many neighbours even where the cloud brings normals
 
   void reset() { *this = {}; }
@@ -27,6 +28,9 @@ struct NormalSource {
 
 /// Found once a frame.
 const ImageRays& raysOf(const Cloud& cloud, NormalSource& source);
+
+/// The same, of an organized cloud.
+const PixelPitch& pixelPitch(const Cloud& image, NormalSource& source);
 
 /// The cloud is the image of a depth camera at the origin.
 bool isDepthImage(const Cloud& cloud);

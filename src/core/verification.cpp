@@ -15,7 +15,10 @@ namespace {
 /// What is assumed before it is measured.
 NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
   constexpr double kLargestNoise = 0.005;  // of d_s: with more of it nothing can be told any more
-  NoiseModel noise = {kLargestNoise * scale.scene_diameter, 0.0, params.inlier_angle_deg * M_PI / 180.0};
+  NoiseModel noise;
+  noise.distance = kLargestNoise * scale.scene_diameter;
+  noise.scale = toleratedScale(scale.image_noise);
+  noise.angle = params.inlier_angle_deg * M_PI / 180.0;
   if (scale.depth_camera) noise.depth_share = params.inlier_depth_share / kInlierDeviations;
   return noise;
 }
@@ -32,6 +35,12 @@ void Verification::begin(const FrameScale& scale) {
   segments_.clear();
   whole_planes_.clear();
   refusals_ = {};
+}
+
+NoiseModel Verification::fullNoise() const {
+  NoiseModel noise = noise_;
+  noise.scale = fullScale(scale_.image_noise);
+  return noise;
 }
 
 double Verification::radiusBin() const { return params_.radius_bin * scale_.scene_diameter * scale_.radius_stretch; }

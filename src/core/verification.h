@@ -22,6 +22,7 @@ namespace primitect {
 struct FrameScale {
   double scene_diameter = 1.0;  ///< d_s, m
   bool depth_camera = false;    ///< depth along z: its noise grows with it
+  double image_noise = 0.0;     ///< see Detections
   double radius_stretch = 1.0;  ///< bins of radii are so many times as wide as params.radius_bin says
   double view_radius = 0.0;     ///< m; radii may be as large as this, even where the bins end before
 };
@@ -59,7 +60,11 @@ class Verification {
   /// likely enough; its samples may serve others.
   void conclude();
 
+  /// What samples may stray.
   const NoiseModel& noise() const { return noise_; }
+
+  /// Of the points that shapes are fitted to in the end.
+  NoiseModel fullNoise() const;
   /// False: nothing stood out clearly enough, and the noise is the largest that is possible.
   bool noiseMeasured() const { return noise_measured_; }
   const Samples& samples() const { return samples_; }

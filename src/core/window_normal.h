@@ -20,12 +20,16 @@ struct WindowNormal {
 /// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
 /// (2 half_width + 1)^2 pixels, half_width at most kernels::kLargestHalfWidth. In these coordinates a plane is linear
 /// and the noise of a depth camera even. Nothing when too few pixels of the window lie on one surface with the centre.
-/// Needs z > 0. Takes half the time where the pitch is known.
+/// Needs z > 0. Takes half the time where the pitch is known. The
+/// noise is noise_scale times axialNoise().
 std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width,
-                                         const PixelPitch& pitch = {});
+                                         const PixelPitch& pitch = {}, double noise_scale = 1.0);
 
 /// The same at a point that falls into this pixel, whichever point the image holds there.
 std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width,
-                                         const PixelPitch& pitch = {});
+                                         const PixelPitch& pitch = {}, double noise_scale = 1.0);
+
+/// How far the depths in such a window stray from the plane, in standard deviations of axialNoise(): up to about four.
+std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, int half_width, const PixelPitch& pitch);
 
 }  // namespace primitect

@@ -10,6 +10,7 @@
 
 #include "core/clustering.h"
 #include "core/extent.h"
+#include "core/image_noise.h"
 #include "core/residuals.h"
 
 namespace primitect {
@@ -199,12 +200,19 @@ void Detector::Workspace::measureScale() {
   // deg are in view: about as little as its curvature needs to be clear (curvature.cpp).
   constexpr double kOfView = 1.5;
   const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
-  verification.begin({result.scene_diameter, depth_camera, stretch, view_radius});
+  verification.begin({result.scene_diameter, depth_camera, result.image_noise, stretch, view_radius});
+}
+
+void Detector::Workspace::measureImageNoise(const Cloud& image) {
+  if (!depth_camera || !isDepthImage(image)) return;
+  result.image_noise = primitect::measureImageNoise(image, normal_source, samples);
+  normal_source.noise_scale = toleratedScale(result.image_noise);
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {
   draw(cloud, result.items, params.samples, round);
   done("sample");
+  if (round == 0) measureImageNoise(cloud);
   if (round == 0) measureScale();
   if (result.status != Status::ok || samples.size() < kFewestPoints) return false;
   estimateNormals(cloud, params, normal_source, samples);

@@ -85,6 +85,7 @@ struct Detector::Workspace {
   Labeling::Rows rowsFor(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
+  void measureImageNoise(const Cloud& image);
   void measureScale();
   bool improveNormals(const Cloud& cloud);
   void measureNoise(const Cloud& cloud);

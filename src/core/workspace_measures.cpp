@@ -149,7 +149,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), rangeOf(params));
   // Pixels of a projected image are not where a camera's were.
   const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
-  Measurement measurement(cloud, rays, params, verification.noise(), verification.limits());
+  Measurement measurement(cloud, rays, params, {verification.noise(), verification.fullNoise()}, verification.limits());
   List<std::size_t> left;
   for (const LabelledPoints& of_item : points) left.push_back(of_item.all);
   const List<bool> enough = areEnough(left, whole);  // and none of what was not kept

@@ -93,6 +93,7 @@ Json fileJson(const FileReport& report) {
   json["samples"] = found.samples;
   if (report.effort) json["effort"] = *report.effort;
   json["scene_diameter"] = found.scene_diameter;
+  json["image_noise"] = found.image_noise;
   json["seen_from_origin"] = found.seen_from_origin;
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = Json::array();

@@ -27,7 +27,7 @@ struct FileReport {
 };
 
 /// One JSON object, ends with a newline:
-/// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "refused": {reason: count},
+/// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise", "refused": {reason: count},
 /// "primitives": [...], "timing_ms": {...}}. Metres, radians. What no stage has filled is null, as is the rival of a
 /// primitive that has none. With max_latency also "effort", the share of the samples. A file that could not be read:
 /// {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".

@@ -38,6 +38,7 @@ struct FrameCounters {
 struct FrameView {
   std::optional<bool> seen_from_origin;  ///< by a sensor there that looks along z; empty: unknown
   bool normals_face_away = false;        ///< most of those that it brought, from that sensor
+  double image_noise = 0.0;              ///< times structured light's; 0: not measured
 };
 
 class DetectorDiagnostics {

@@ -112,7 +112,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   track(message);
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
-  const FrameView view = {pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway()};
+  const FrameView view = {pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway(), pipeline_->imageNoise()};
   diagnostics_->frameDone(message, pipeline_->refusals(), view, problem);
   publish(message);
   pipeline_->published();

@@ -65,6 +65,9 @@ class FramePipeline {
   /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.
   bool normalsFaceAway() const { return has_cloud_ && detector_.result().normals_face_away; }
 
+  /// Of the last cloud; see Detections.
+  double imageNoise() const { return has_cloud_ ? detector_.result().image_noise : 0.0; }
+
   /// Of the last cloud, if there is one, where the sensor is at the origin; labels of what was processed with them.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;

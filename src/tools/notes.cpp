@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions about units, frames and intrinsics.
+// Questions about units, frames and intrinsics, and what to expect of noise.
 #include "tools/notes.h"
 
 #include "tools/format.h"
@@ -57,6 +57,15 @@ std::string normalsText(const Detections& found) {
          "passes for hollow and is missed: try --orient_normals true. Or --sensor says where the camera was\n";
 }
 
+std::string noiseText(const Detections& found) {
+  constexpr double kNoisy = 2.0;
+  if (found.image_noise < kNoisy) return "";
+  return format(
+      "  note: points stray %.1f times as far as those of structured light: small things are missed, "
+      "positions less exact; nearer, or with the camera's own filters, more is found\n",
+      found.image_noise);
+}
+
 /// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
 std::string intrinsicsText(const io::PointFile& read) {
   if (!read.intrinsics) return "";
@@ -81,7 +90,8 @@ std::string ignoredFramesText(const DetectOptions& options) {
 }
 
 std::string notesText(const Detections& found, const DetectInput& input) {
-  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found);
+  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found) +
+         noiseText(found);
 }
 
 }  // namespace primitect::tools

@@ -152,13 +152,13 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
   Detection detection;
   detection.shape = Sphere{kBall.center, 0.079};
   Detection kept = detection;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+  Measurement(cloud, findRays(cloud), params, {kNoiseModel, kNoiseModel}, {params, 1.0})
       .measure({all, {}, 4000}, all, allOf(all), kept);
   EXPECT_NEAR(std::get<Sphere>(kept.shape).radius, 0.079, 0.0001);
   EXPECT_EQ(kept.inlier_count, 4000u);  // all, not those of the fit
   params.max_radius = 0.0;
   Detection fitted = detection;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+  Measurement(cloud, findRays(cloud), params, {kNoiseModel, kNoiseModel}, {params, 1.0})
       .measure({all, {}, 4000}, all, allOf(all), fitted);
   EXPECT_NEAR(std::get<Sphere>(fitted.shape).radius, kBall.radius, 0.0004);
 }
@@ -168,7 +168,7 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   List<std::uint32_t> all(cloud.size());
   std::iota(all.begin(), all.end(), 0u);
   const Params params;
-  Measurement(cloud, findRays(cloud), params, noise, {params, 10.0})
+  Measurement(cloud, findRays(cloud), params, {noise, noise}, {params, 10.0})
       .measure({all, {}, all.size()}, all, allOf(all), detection);
   return detection;
 }
@@ -211,7 +211,7 @@ TEST(Measurement, TrustsASizeNoMoreForLeavingOutWhatContradictsIt) {
     detection.shape = ball;
     detection.confidence = 0.8f;
     const auto on_surface = [&rest](const Shape&) { return rest; };
-    Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+    Measurement(cloud, findRays(cloud), params, {kNoiseModel, kNoiseModel}, {params, 1.0})
         .measure({all, {}, all.size()}, clear, on_surface, detection);
     return detection.confidence;
   };
@@ -273,7 +273,7 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
   const Params params;
   Detection kept;
   kept.shape = kBall;
-  Measurement(cloud, findRays(cloud), params, kNoiseModel, {params, 1.0})
+  Measurement(cloud, findRays(cloud), params, {kNoiseModel, kNoiseModel}, {params, 1.0})
       .measure({own, {}, 1000}, clear, allOf(clear), kept);
   EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
   EXPECT_LT(kept.rms_error, 2.0 * kNoise);

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How noisy an image is, told from its windows, and what the detector makes of noisy ones.
+#include "core/image_noise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/noise.h"
+#include "core/random.h"
+#include "core/sampling.h"
+#include "primitect/detector.h"
+#include "synthetic/clutter.h"
+#include "test/support/rendered_cloud.h"
+
+namespace primitect {
+namespace {
+
+synthetic::FrameParams noisy(double scale, int grain = 1) {
+  synthetic::FrameParams params;
+  params.noise.scale = scale;
+  params.noise.grain = grain;
+  if (scale == 0.0) params.noise.disparity_step = 0.0;
+  return params;
+}
+
+Cloud tableCloud(double scale, std::uint64_t seed, int grain = 1) {
+  return test::renderedCloud(synthetic::clutteredTable(seed), noisy(scale, grain), seed, synthetic::clutterPose(seed));
+}
+
+double measuredIn(const Cloud& image) {
+  Samples samples;
+  drawSamples(image, 900, 1, samples);
+  NormalSource source;
+  return measureImageNoise(image, source, samples);
+}
+
+TEST(ImageNoise, IsThatOfTheSensor) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    EXPECT_LT(measuredIn(tableCloud(0.0, seed)), 0.3) << "what curves in a window";
+    EXPECT_NEAR(measuredIn(tableCloud(1.0, seed)), 1.0, 0.12);
+    EXPECT_NEAR(measuredIn(tableCloud(2.0, seed)), 2.0, 0.2);
+    EXPECT_NEAR(measuredIn(tableCloud(3.0, seed)), 3.0, 0.35);
+    EXPECT_GT(measuredIn(tableCloud(10.0, seed)), 3.0) << "as far as can be told";
+  }
+}
+
+TEST(ImageNoise, InGrainsIsTakenForSomeOfIt) {
+  const double measured = measuredIn(tableCloud(2.0, 1, 5));
+  EXPECT_GT(measured, 1.4);
+  EXPECT_LT(measured, 2.0);
+}
+
+TEST(ImageNoise, IsThatOfTheSmoothestQuarter) {
+  Cloud cloud = tableCloud(1.0, 4);
+  Random random(5);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (i % cloud.width < cloud.width / 2) continue;
+    const float rough = 1.0f + 0.02f * static_cast<float>(random.gaussian());
+    for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= rough;
+  }
+  EXPECT_NEAR(measuredIn(cloud), 1.0, 0.2);
+}
+
+TEST(ImageNoise, OfACoarseImageIsToldFromSmallerWindows) {
+  const synthetic::PinholeCamera coarse = {160, 120, 131.25, 131.25, 79.5, 59.5};
+  synthetic::FrameParams params = noisy(2.0);
+  params.noise.disparity_step = 0.0;  // of so few pixels an eighth is more than the noise
+  Cloud cloud;
+  cloudFromDepth(renderFrame(synthetic::clutteredTable(3), coarse, synthetic::clutterPose(3), params, 3, 0).depth,
+                 coarse, params.truth.range, cloud);
+  EXPECT_NEAR(measuredIn(cloud), 2.0, 0.3);
+}
+
+TEST(ImageNoise, OfAFewPointsCannotBeTold) {
+  Cloud cloud = tableCloud(1.0, 1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::size_t column = i % cloud.width, row = i / cloud.width;
+    if (column % 8 == 0 && row % 8 == 0) continue;
+    cloud.x[i] = cloud.y[i] = cloud.z[i] = std::nanf("");
+  }
+  EXPECT_EQ(measuredIn(cloud), 0.0);
+}
+
+TEST(ImageNoise, IsToldWhereADepthCameraTookTheCloud) {
+  Detector detector{Params()};
+  EXPECT_NEAR(detector.detect(tableCloud(2.0, 1)).image_noise, 2.0, 0.25);
+  Params of_any;
+  of_any.inlier_depth_share = 0.0;
+  Detector other{of_any};
+  EXPECT_EQ(other.detect(tableCloud(2.0, 1)).image_noise, 0.0);
+}
+
+TEST(Noise, OfACameraGrowsWithItsScale) {
+  NoiseModel noise = {0.0, 0.0001};
+  const Vec3 point(0.0, 0.0, 1.2);
+  const double usual = noise.at(point);
+  noise.scale = 3.0;
+  EXPECT_DOUBLE_EQ(noise.at(point), 3.0 * usual);
+  EXPECT_EQ(toleratedScale(1.4), 1.0) << "as it was";
+  EXPECT_DOUBLE_EQ(toleratedScale(3.0), 2.1);
+  EXPECT_DOUBLE_EQ(fullScale(3.0), 3.0);
+  EXPECT_EQ(fullScale(0.0), 1.0);
+}
+
+/// Tables fell apart, or were not found, before tolerances grew with the noise.
+TEST(ImageNoise, OfThreeTimesTheUsualLeavesTheTableInOnePiece) {
+  for (const int grain : {1, 5}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+      const synthetic::FrameParams params = noisy(3.0, grain);
+      const synthetic::PinholeCamera camera;
+      const synthetic::Frame frame =
+          renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
+      Cloud cloud;
+      cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
+      const Detection* table = nullptr;
+      for (const Detection& truth : frame.truth.items) {
+        const bool larger = !table || truth.inlier_count > table->inlier_count;
+        if (kindOf(truth.shape) == Kind::plane && larger) table = &truth;
+      }
+      ASSERT_TRUE(table);
+      const Plane& plane = std::get<Plane>(table->shape);
+      Detector detector{Params()};
+      std::uint32_t largest = 0, others = 0;
+      for (const Detection& found : detector.detect(cloud).items) {
+        const Plane* face = std::get_if<Plane>(&found.shape);
+        const bool of_table = face && std::abs(face->normal.dot(plane.normal)) > std::cos(0.05) &&
+                              std::abs(distance(table->shape, found.extent.origin)) < 0.02;
+        if (!of_table) continue;
+        others += std::min(largest, found.inlier_count);
+        largest = std::max(largest, found.inlier_count);
+      }
+      EXPECT_GT(largest, 0.6 * table->inlier_count) << "seed " << seed << ", grain " << grain;
+      EXPECT_LT(others, (grain == 1 ? 0.1 : 0.2) * largest) << "seed " << seed << ", grain " << grain;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace primitect
