@@ -15,7 +15,7 @@ double measureImageNoise(const Cloud& image, NormalSource& source, const Samples
   // Neighbouring pixels err alike: in windows as small as those of normals two thirds of the noise of real cameras
   // show.
   constexpr double kUsualHalfWidth = 12.0, kSmallest = 4.0;  // px
-  constexpr std::size_t kWindows = 96, kFewest = 12;
+  constexpr std::size_t kWindows = 48, kFewest = 12;
   const double half_width = std::max(kUsualHalfWidth * shareOfUsualWindows(raysOf(image, source)), kSmallest);
   const PixelPitch& pitch = pixelPitch(image, source);
   List<double> deviations;
