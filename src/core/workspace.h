@@ -68,6 +68,7 @@ struct Detector::Workspace {
   // The last one: workspace_measures.cpp.
 
   /// The final numbers come from the points of the cloud.
+  void distrustBentParts(const List<bool>& measured);
   void measureOnCloud(const Cloud& whole);
 
   // Between labels and measures: workspace_tops.cpp.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/bent_part.h"
 #include "core/clear_points.h"
 #include "core/far_sides.h"
 #include "core/strip.h"
@@ -141,6 +142,18 @@ Vec3 Detector::Workspace::stretchOf(const Detection& item) const {
   return factors;
 }
 
+/// Of the detections that were measured.
+void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
+  if (!depth_camera) return;
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    for (std::size_t other = 0; other < result.items.size(); ++other) {
+      if (!measured[k] || !measured[other] || result.items[other].confidence < params.min_confidence) continue;
+      const bool bent = isBentPart(result.items[k], result.items[other], verification.noise());
+      if (bent) result.items[k].confidence = 0.0f;
+    }
+  }
+}
+
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
   findPoints(whole);
@@ -156,14 +169,16 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   const auto within = [this](std::size_t k) { return !isLine(result.items[k], verification.noise()); };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
   for (std::size_t k = 0; k < result.items.size(); ++k) {
-    if (!enough[k]) {
-      ++result.refusals[Refusal::few_inliers];
-      continue;
-    }
+    if (!enough[k]) continue;
     const List<std::uint32_t> clear_of_item = clear.of(k, points[k].index);
     ClearPoints::OnSurface on_surface(clear, k, clear_of_item);
     measurement.measure(points[k], clear_of_item, std::ref(on_surface), result.items[k]);
-    if (!within(k)) {
+  }
+  distrustBentParts(enough);
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    if (!enough[k]) {
+      ++result.refusals[Refusal::few_inliers];
+    } else if (!within(k)) {
       ++result.refusals[Refusal::limits];
     } else if (!likely(k)) {
       ++result.refusals[Refusal::unlikely];
