@@ -26,10 +26,11 @@ double outside(const Vec3& point, const Extent& extent) {
 }  // namespace
 
 bool isBentPart(const Detection& part, const Detection& whole, const NoiseModel& noise) {
-  constexpr double kLarger = 4.0;                                             // times the points
-  constexpr double kLeastTilt = 2.0 * M_PI / 180.0, kMostTilt = M_PI / 18.0;  // what lies flat on it is not tilted
-  constexpr double kMostHeight = 0.02;                                        // of the depth
-  constexpr double kBeside = 0.01;                                            // m
+  constexpr double kLarger = 4.0;  // times the points
+  constexpr double kLeastTilt = 2.0 * M_PI / 180.0,
+                   kMostTilt = 10.0 * M_PI / 180.0;  // what lies flat on it is not tilted
+  constexpr double kMostHeight = 0.02;               // of the depth
+  constexpr double kBeside = 0.01;                   // m
   const Plane *const small = std::get_if<Plane>(&part.shape), *const large = std::get_if<Plane>(&whole.shape);
   if (!small || !large || !(whole.inlier_count >= kLarger * part.inlier_count)) return false;
   if (part.truncated == kTruncationUnknown || !(part.truncated & kTruncatedByImage)) return false;

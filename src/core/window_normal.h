@@ -20,8 +20,7 @@ struct WindowNormal {
 /// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
 /// (2 half_width + 1)^2 pixels, half_width at most kernels::kLargestHalfWidth. In these coordinates a plane is linear
 /// and the noise of a depth camera even. Nothing when too few pixels of the window lie on one surface with the centre.
-/// Needs z > 0. Takes half the time where the pitch is known. The
-/// noise is noise_scale times axialNoise().
+/// Needs z > 0. Takes half the time where the pitch is known. The noise is noise_scale times axialNoise().
 std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width,
                                          const PixelPitch& pitch = {}, double noise_scale = 1.0);
 

@@ -96,7 +96,8 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
   status.add("seen from the origin", yesOrNo(view_.seen_from_origin));
-  if (view_.image_noise > 0.0) status.addf("noise, times structured light's", "%.2f", view_.image_noise);
+  const char* const noise = "noise, times structured light's";
+  view_.image_noise > 0.0 ? status.addf(noise, "%.2f", view_.image_noise) : status.add(noise, "unknown");
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the program `detect` asks where a file cannot be what it is taken for.
+// What the program `detect` asks where a file cannot be what it is taken for, and tells of its noise.
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/random.h"
 #include "detect_fixture.h"
 
 namespace {
@@ -57,6 +59,30 @@ TEST_F(DetectNotes, TellNormalsThatFaceAwayFromTheSensor) {
     EXPECT_EQ(run(turned), 0);
     EXPECT_EQ(out.find(note), std::string::npos) << out;
   }
+}
+
+/// The image with noise, in standard deviations of structured light at 1.2 m.
+cv::Mat noisyImage(double deviations) {
+  cv::Mat image = ballImage();
+  primitect::Random random(3);
+  for (std::size_t i = 0; i < image.total(); ++i) {
+    auto& millimetres = image.at<std::uint16_t>(static_cast<int>(i));
+    const double z = 0.001 * millimetres;
+    const double sigma = deviations * (0.0012 + 0.0019 * (z - 0.4) * (z - 0.4));
+    millimetres = static_cast<std::uint16_t>(std::lround(1000.0 * (z + sigma * random.gaussian())));
+  }
+  return image;
+}
+
+TEST_F(DetectNotes, TellHowNoisyTheCameraIs) {
+  const std::string note = "note: points stray ", options = " --intrinsics 262.5,262.5,159.5,119.5";
+  cv::imwrite(path("usual.png"), noisyImage(1.0));
+  EXPECT_EQ(run(path("usual.png") + options), 0);
+  EXPECT_EQ(out.find(note), std::string::npos) << out;
+  cv::imwrite(path("noisy.png"), noisyImage(3.0));
+  EXPECT_EQ(run(path("noisy.png") + options), 0);
+  ASSERT_NE(out.find(note), std::string::npos) << out;
+  EXPECT_NEAR(std::stod(out.substr(out.find(note) + note.size())), 3.0, 0.5) << out;
 }
 
 }  // namespace

@@ -164,6 +164,13 @@ class SimulatedCamera(unittest.TestCase):
         # Every candidate is tried as every kind: some of that never comes out.
         self.assertTrue(wait_for(lambda: sum(refused().values()) > 0))
 
+    def test_tells_in_the_diagnostics_how_noisy_the_camera_is(self):
+        def noises():
+            return [float(v.value) for a in self.diagnostics.all() for s in a.status if s.name.endswith("detector: input")
+                    for v in s.values if v.key == "noise, times structured light's" and v.value != "unknown"]
+        self.assertTrue(wait_for(noises))
+        self.assertTrue(0.85 < noises()[-1] < 1.25, "the simulated camera is one of structured light")
+
     def test_marks_every_primitive_in_its_place_and_size(self):
         for frame in self.frames:
             array = frame[MARKERS].markers
