@@ -27,7 +27,7 @@ double outside(const Vec3& point, const Extent& extent) {
 
 bool isBentPart(const Detection& part, const Detection& whole, const NoiseModel& noise) {
   constexpr double kLarger = 4.0;  // times the points
-  constexpr double kLeastTilt = 2.0 * M_PI / 180.0,
+  constexpr double kLeastTilt = 3.5 * M_PI / 180.0,
                    kMostTilt = 10.0 * M_PI / 180.0;  // what lies flat on it is not tilted
   constexpr double kMostHeight = 0.02;               // of the depth
   constexpr double kBeside = 0.01;                   // m

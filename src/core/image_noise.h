@@ -9,7 +9,7 @@
 
 namespace primitect {
 
-/// How far the points of a depth image stray from planes that are fitted to windows around some of them, in standard
+/// How far the points of a depth image stray from surfaces that are fitted to windows around some of them, in standard
 /// deviations of axialNoise(), up to about four. Of all windows the lower quartile: many hold edges and what is rough.
 /// 0 where fewer than a dozen can be fitted.
 double measureImageNoise(const Cloud& image, NormalSource& source, const Samples& samples);

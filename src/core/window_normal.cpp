@@ -4,6 +4,7 @@
 #include "core/window_normal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/noise.h"
@@ -42,26 +43,47 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
   return plane.used >= needed && std::abs(plane.c) < static_cast<double>(task.tolerance);
 }
 
-/// How far d of every second pixel in every second row strays from the plane.
-double rmsError(const Cloud& image, const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
-  constexpr int kEvery = 2;
-  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-  const auto pixel = static_cast<int>(task.pixel), half = static_cast<int>(task.half_width);
-  const int column = pixel % width, row = pixel / width;
-  double squares = 0.0, count = 0.0;
-  for (int v = std::max(row - half, 0); v <= std::min(row + half, height - 1); v += kEvery) {
-    for (int u = std::max(column - half, 0); u <= std::min(column + half, width - 1); u += kEvery) {
-      const int k = v * width + u;
-      const double inverse = 1.0 / image.z[k];
-      const double error = task.depth * inverse - 1.0 - plane.a * (image.x[k] * inverse - task.u) -
-                           plane.b * (image.y[k] * inverse - task.v) - plane.c;
-      if (!(std::abs(error) < task.tolerance)) continue;
-      squares += error * error;
-      count += 1.0;
+/// What the pixels of a window are off a plane, every second one of every second row.
+struct OffPlane {
+  static constexpr std::size_t kEvery = 2, kMost = kernels::kLargestHalfWidth + 1;
+  std::array<double, kMost * kMost> u, v, error;
+  std::size_t count = 0;
+
+  OffPlane(const Cloud& image, const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
+    const std::size_t column = task.pixel % image.width, row = task.pixel / image.width, half = task.half_width;
+    const auto low = [half](std::size_t at) { return at < half ? 0 : at - half; };
+    const auto high = [half](std::size_t at, std::size_t size) { return std::min(at + half, size - 1); };
+    for (std::size_t y = low(row); y <= high(row, image.height); y += kEvery) {
+      for (std::size_t x = low(column); x <= high(column, image.width); x += kEvery) {
+        const std::size_t k = y * image.width + x;
+        const double inverse = 1.0 / image.z[k];
+        u[count] = image.x[k] * inverse - task.u, v[count] = image.y[k] * inverse - task.v;
+        error[count] = task.depth * inverse - 1.0 - plane.a * u[count] - plane.b * v[count] - plane.c;
+        count += std::abs(error[count]) < task.tolerance ? 1 : 0;
+      }
     }
   }
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
-}
+
+  /// Takes out of the errors what goes with this function of u and v.
+  template <class Function>
+  void takeOut(const Function& function) {
+    double mean = 0.0, squares = 0.0, products = 0.0;
+    for (std::size_t k = 0; k < count; ++k) mean += function(u[k], v[k]) / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double value = function(u[k], v[k]) - mean;
+      squares += value * value, products += value * error[k];
+    }
+    const double share = squares > 0.0 ? products / squares : 0.0;
+    for (std::size_t k = 0; k < count; ++k) error[k] -= share * (function(u[k], v[k]) - mean);
+  }
+
+  /// Standard deviation, after so many functions were taken out.
+  double deviation(std::size_t taken) const {
+    double squares = 0.0;
+    for (std::size_t k = 0; k < count; ++k) squares += error[k] * error[k];
+    return count > taken ? std::sqrt(squares / static_cast<double>(count - taken)) : 0.0;
+  }
+};
 
 }  // namespace
 
@@ -94,7 +116,11 @@ std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, i
   const kernels::PointImage points = {image.x.data(), image.y.data(), image.z.data(), image.width, image.height};
   const kernels::WindowPlane plane = kernels::loops().fitWindow(points, task);
   if (!usable(plane, task)) return std::nullopt;
-  return rmsError(image, task, plane) * center.z() / axialNoise(center.z());
+  OffPlane off(image, task, plane);
+  off.takeOut([](double u, double) { return u * u; });
+  off.takeOut([](double, double v) { return v * v; });
+  off.takeOut([](double u, double v) { return u * v; });
+  return off.deviation(3) * center.z() / axialNoise(center.z());
 }
 
 }  // namespace primitect

@@ -28,7 +28,8 @@ std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel
 std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width,
                                          const PixelPitch& pitch = {}, double noise_scale = 1.0);
 
-/// How far the depths in such a window stray from the plane, in standard deviations of axialNoise(): up to about four.
+/// How far the depths in such a window stray from the surface that leaves the plane as a parabola does, in standard
+/// deviations of axialNoise(): up to about four, beyond that only roughly. half_width as above.
 std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, int half_width, const PixelPitch& pitch);
 
 }  // namespace primitect

@@ -46,6 +46,21 @@ TEST(ImageNoise, IsThatOfTheSensor) {
   }
 }
 
+/// Of a thing that was cut out of its frame nothing flat is in view.
+TEST(ImageNoise, IsNotWhatCurves) {
+  for (const double radius : {0.03, 0.05, 0.08}) {
+    synthetic::World world;
+    world.add("ball", synthetic::Ball{radius}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.9)));
+    const double measured = measuredIn(test::renderedCloud(world, noisy(1.0), 7));
+    EXPECT_GT(measured, 0.85) << radius;
+    EXPECT_EQ(toleratedScale(measured), 1.0) << radius << " m, noise " << measured;
+  }
+  synthetic::World world;
+  world.add("can", synthetic::Rod{0.04, 0.1},
+            Eigen::Translation3d(0.0, 0.0, 0.9) * Eigen::Isometry3d(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX())));
+  EXPECT_NEAR(measuredIn(test::renderedCloud(world, noisy(1.0), 8)), 1.0, 0.2);
+}
+
 TEST(ImageNoise, InGrainsIsTakenForSomeOfIt) {
   const double measured = measuredIn(tableCloud(2.0, 1, 5));
   EXPECT_GT(measured, 1.4);
