@@ -86,6 +86,11 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::WARN, "most normals of the clouds face away from the sensor: set orient_normals");
   } else {
     status.summary(DiagnosticStatus::OK, counters_.frames_in == 0 ? "waiting for the first cloud" : "receiving");
+    constexpr double kNoisy = 1.5;  // about where tolerances begin to grow
+    if (view_.image_noise >= kNoisy) {
+      status.summaryf(DiagnosticStatus::OK, "receiving, with %.1f times the noise of structured light",
+                      view_.image_noise);
+    }
   }
   status.add("frames in", counters_.frames_in);
   for (std::size_t i = 0; i < FrameCounters::kStatusCount; ++i) {

@@ -58,11 +58,11 @@ std::string normalsText(const Detections& found) {
 }
 
 std::string noiseText(const Detections& found) {
-  constexpr double kNoisy = 2.0;
+  constexpr double kNoisy = 1.5;  // about where tolerances begin to grow
   if (found.image_noise < kNoisy) return "";
   return format(
       "  note: points stray %.1f times as far as those of structured light: small things are missed, "
-      "positions less exact; nearer, or with the camera's own filters, more is found\n",
+      "positions less exact; nearer, or with the camera's own filters, more is found (docs/tuning.md, The noise)\n",
       found.image_noise);
 }
 
