@@ -130,8 +130,7 @@ void declareOptions(CLI::App& app, Options& options) {
   app.add_option("--sigma", options.recipe.sigma,
                  "noise in m: of the paper's and the small set the standard deviation, of the parts the half width");
   app.add_option("--noise-scale", options.recipe.noise_scale, "times the noise of the simulated depth sensor");
-  app.add_option("--noise-grain", options.recipe.noise_grain,
-                 "px, odd: that noise is the mean of so many by so many pixels");
+  app.add_option("--noise-grain", options.recipe.noise_grain, "px, odd: so many by so many pixels share that noise");
   app.add_option("--width", options.recipe.width, "columns of the depth frames, 4 : 3");
   app.add_option("--outliers", options.recipe.outliers, "share of points thrown anywhere into the bounding box");
   app.add_option("--keep", options.recipe.keep, "share of the points that is kept");

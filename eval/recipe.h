@@ -14,7 +14,7 @@ struct Recipe {
   std::uint64_t seed = 1;
   double sigma = 0.01;       ///< m, noise of the paper's sets; of the parts the half width of the uniform noise
   double noise_scale = 1.0;  ///< times the noise of the simulated depth sensor
-  int noise_grain = 1;       ///< px, odd, of that noise: the mean of so many by so many pixels, 1 to 31
+  int noise_grain = 1;       ///< px, odd, 1 to 31: so many by so many pixels share that noise
   int width = 640;           ///< columns of the depth frames, 4 : 3, [160, 2560]
   double outliers = 0.0;     ///< share of points thrown anywhere into the bounding box, [0, 1)
   double keep = 1.0;         ///< share of the points that is kept, drawn at random, (0, 1]

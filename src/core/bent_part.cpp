@@ -12,6 +12,7 @@ namespace {
 
 /// How far (m) a point lies outside of the outline of a plane, seen along its normal; below 0: inside.
 double outside(const Vec3& point, const Extent& extent) {
+  if (extent.hull.size() < 3) return INFINITY;
   double farthest = -INFINITY;
   for (std::size_t k = 0; k < extent.hull.size(); ++k) {
     const Vec3& corner = extent.hull[k];
@@ -33,7 +34,7 @@ bool isBentPart(const Detection& part, const Detection& whole, const NoiseModel&
   constexpr double kBeside = 0.01;                   // m
   const Plane *const small = std::get_if<Plane>(&part.shape), *const large = std::get_if<Plane>(&whole.shape);
   if (!small || !large || !(whole.inlier_count >= kLarger * part.inlier_count)) return false;
-  if (part.truncated == kTruncationUnknown || !(part.truncated & kTruncatedByImage)) return false;
+  if (!(part.truncated & kTruncatedByImage)) return false;
   const double cosine = std::abs(small->normal.dot(large->normal));
   if (!(std::cos(kMostTilt) <= cosine && cosine <= std::cos(kLeastTilt))) return false;
   bool begins_there = false;

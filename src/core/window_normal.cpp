@@ -44,14 +44,15 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
 }
 
 /// What the pixels of a window are off a plane, every second one of every second row.
-struct OffPlane {
+struct WindowErrors {
   static constexpr std::size_t kEvery = 2, kMost = kernels::kLargestHalfWidth + 1;
   std::array<double, kMost * kMost> u, v, error;
   std::size_t count = 0;
 
-  OffPlane(const Cloud& image, const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
+  WindowErrors(const Cloud& image, const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
     const std::size_t column = task.pixel % image.width, row = task.pixel / image.width, half = task.half_width;
-    const auto low = [half](std::size_t at) { return at < half ? 0 : at - half; };
+    // The row and column of the centre are among them: others may be missing throughout.
+    const auto low = [half](std::size_t at) { return at < half ? at % kEvery : at - half + half % kEvery; };
     const auto high = [half](std::size_t at, std::size_t size) { return std::min(at + half, size - 1); };
     for (std::size_t y = low(row); y <= high(row, image.height); y += kEvery) {
       for (std::size_t x = low(column); x <= high(column, image.width); x += kEvery) {
@@ -64,7 +65,8 @@ struct OffPlane {
     }
   }
 
-  /// Takes out of the errors what goes with this function of u and v.
+  /// Takes out of the errors what goes with this function of u and v: one after the other, all of it where the window
+  /// is whole.
   template <class Function>
   void takeOut(const Function& function) {
     double mean = 0.0, squares = 0.0, products = 0.0;
@@ -77,11 +79,13 @@ struct OffPlane {
     for (std::size_t k = 0; k < count; ++k) error[k] -= share * (function(u[k], v[k]) - mean);
   }
 
-  /// Standard deviation, after so many functions were taken out.
-  double deviation(std::size_t taken) const {
+  /// Standard deviation, after so many functions were taken out; nothing where few pixels tell it.
+  std::optional<double> deviation(std::size_t taken) const {
+    constexpr std::size_t kFewest = 12;
+    if (count < kFewest) return std::nullopt;
     double squares = 0.0;
     for (std::size_t k = 0; k < count; ++k) squares += error[k] * error[k];
-    return count > taken ? std::sqrt(squares / static_cast<double>(count - taken)) : 0.0;
+    return std::sqrt(squares / static_cast<double>(count - taken));
   }
 };
 
@@ -116,11 +120,13 @@ std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, i
   const kernels::PointImage points = {image.x.data(), image.y.data(), image.z.data(), image.width, image.height};
   const kernels::WindowPlane plane = kernels::loops().fitWindow(points, task);
   if (!usable(plane, task)) return std::nullopt;
-  OffPlane off(image, task, plane);
+  WindowErrors off(image, task, plane);
   off.takeOut([](double u, double) { return u * u; });
   off.takeOut([](double, double v) { return v * v; });
   off.takeOut([](double u, double v) { return u * v; });
-  return off.deviation(3) * center.z() / axialNoise(center.z());
+  const std::optional<double> deviation = off.deviation(3);
+  if (!deviation) return std::nullopt;
+  return *deviation * center.z() / axialNoise(center.z());
 }
 
 }  // namespace primitect

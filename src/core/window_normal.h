@@ -29,7 +29,7 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
                                          const PixelPitch& pitch = {}, double noise_scale = 1.0);
 
 /// How far the depths in such a window stray from the surface that leaves the plane as a parabola does, in standard
-/// deviations of axialNoise(): up to about four, beyond that only roughly. half_width as above.
+/// deviations of axialNoise(): up to about five; six at most. half_width as above.
 std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, int half_width, const PixelPitch& pitch);
 
 }  // namespace primitect

@@ -68,7 +68,6 @@ struct Detector::Workspace {
   // The last one: workspace_measures.cpp.
 
   /// The final numbers come from the points of the cloud.
-  void distrustBentParts(const List<bool>& measured);
   void measureOnCloud(const Cloud& whole);
 
   // Between labels and measures: workspace_tops.cpp.
@@ -87,6 +86,7 @@ struct Detector::Workspace {
   std::size_t mostSamples(const Cloud& cloud);
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
   void measureImageNoise(const Cloud& image);
+  void distrustBentParts(const List<bool>& measured);
   void measureScale();
   bool improveNormals(const Cloud& cloud);
   void measureNoise(const Cloud& cloud);

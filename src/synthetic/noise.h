@@ -12,9 +12,9 @@ namespace primitect::synthetic {
 
 /// The sensor's faults. Each can be switched off alone.
 struct NoiseParams {
-  double scale = 1.0;               ///< times axialSigma(); 0 = off
-  int grain = 1;                    ///< px, odd: noise is the mean of so many by so many pixels, as of a block matcher
-  double baseline = 0.075;          ///< between projector and camera, m
+  double scale = 1.0;       ///< times axialSigma(); 0 = off
+  int grain = 1;            ///< px, odd: so many by so many pixels share noise of that strength, as of a block matcher
+  double baseline = 0.075;  ///< between projector and camera, m
   double disparity_step = 0.125;    ///< px; disparities are multiples of it; 0 = off
   double max_incidence_deg = 80.0;  ///< surfaces slanted more, and depth steps that look like it, are lost; 90 = off
   double min_depth = 0.4;           ///< m; nearer pixels are lost; 0 = off

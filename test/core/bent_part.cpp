@@ -58,7 +58,22 @@ TEST(BentPart, BeginsOnTheWholeAndLeavesIt) {
   EXPECT_FALSE(isBentPart(wall(), corner(6.0 * kDegree), kNoiseModel)) << "the other way round";
 }
 
+TEST(BentPart, BeginsInsideOfTheOutlineOrJustBesideIt) {
+  const auto movedOutwards = [](double by) {
+    Detection part = corner(6.0 * kDegree);
+    for (Vec3& point : part.extent.hull) point.x() += 0.1 + by;  // its side that lies on the wall, from the rim on
+    return part;
+  };
+  EXPECT_TRUE(isBentPart(movedOutwards(0.005), wall(), kNoiseModel));
+  EXPECT_FALSE(isBentPart(movedOutwards(0.02), wall(), kNoiseModel));
+  Detection bare = wall();
+  bare.extent.hull.clear();
+  EXPECT_FALSE(isBentPart(corner(6.0 * kDegree), bare, kNoiseModel)) << "there is no outline";
+}
+
 TEST(BentPart, IsNotWhatLiesFlatOrLeans) {
+  EXPECT_FALSE(isBentPart(corner(3.0 * kDegree), wall(), kNoiseModel)) << "nearly flat";
+  EXPECT_TRUE(isBentPart(corner(4.0 * kDegree), wall(), kNoiseModel));
   EXPECT_FALSE(isBentPart(corner(0.5 * kDegree, 0.004), wall(), kNoiseModel)) << "a plate";
   EXPECT_FALSE(isBentPart(corner(14.0 * kDegree), wall(), kNoiseModel)) << "steep";
   EXPECT_FALSE(isBentPart(corner(4.0 * kDegree, 0.010), wall(), kNoiseModel)) << "begins above it";

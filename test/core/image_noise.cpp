@@ -8,8 +8,10 @@
 #include <cmath>
 
 #include "core/noise.h"
+#include "core/point_noise.h"
 #include "core/random.h"
 #include "core/sampling.h"
+#include "core/window_normal.h"
 #include "primitect/detector.h"
 #include "synthetic/clutter.h"
 #include "test/support/rendered_cloud.h"
@@ -117,6 +119,34 @@ TEST(Noise, OfACameraGrowsWithItsScale) {
   EXPECT_DOUBLE_EQ(toleratedScale(3.0), 2.1);
   EXPECT_DOUBLE_EQ(fullScale(3.0), 3.0);
   EXPECT_EQ(fullScale(0.0), 1.0);
+}
+
+TEST(Noise, OfACameraIsTheSameForOneAndForManyPoints) {
+  const NoiseModel noise = {0.0, 0.0001, 0.5, 3.0};
+  const float depths[] = {0.5f, 1.0f, 1.5f, 2.0f};
+  float sigma[4];
+  kernels::loops().tolerances(flattened(noise, 2.0), depths, 4, sigma);
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(sigma[k], 2.0 * noise.at(Vec3(0.0, 0.0, depths[k])), 1e-6) << depths[k];
+}
+
+TEST(WindowNormals, AreAsMuchWorseAsTheImageIsNoisier) {
+  const Cloud cloud = tableCloud(3.0, 1);
+  int found_as_usual = 0, found = 0;
+  for (std::uint32_t pixel = 240 * 640 + 100; pixel < 240 * 640 + 540; pixel += 5) {
+    const auto as_usual = windowNormal(cloud, pixel, 7), noisy = windowNormal(cloud, pixel, 7, {}, 3.0);
+    found_as_usual += as_usual ? 1 : 0, found += noisy ? 1 : 0;
+    if (!as_usual || !noisy) continue;
+    EXPECT_GT(noisy->sigma, 1.5 * as_usual->sigma) << "of more pixels, each three times as noisy";
+  }
+  EXPECT_GT(found, 1.2 * found_as_usual) << "the centre is too far from the plane for the usual noise";
+}
+
+TEST(ImageNoise, IsToldWhereEverySecondRowIsMissing) {
+  Cloud cloud = tableCloud(3.0, 1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (i / cloud.width % 2 == 0) cloud.x[i] = cloud.y[i] = cloud.z[i] = std::nanf("");
+  }
+  EXPECT_NEAR(measuredIn(cloud), 3.0, 0.4);
 }
 
 /// Tables fell apart, or were not found, before tolerances grew with the noise.

@@ -173,6 +173,27 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   return detection;
 }
 
+/// What lies beyond what was tolerated where the ball was looked for counts, too: or its radius would pass for too
+/// sure.
+TEST(Measurement, FitsWithAllOfTheNoise) {
+  constexpr double kStrong = 0.003;
+  Random random(46);
+  const Cloud cloud = test::cloudOf(measured(patchOf(kBall, 2000, random), kStrong, 0.05, random));
+  List<std::uint32_t> all(cloud.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const auto deviation = [&](double tolerated, double full) {
+    const Params params;
+    Detection detection;
+    detection.shape = kBall;
+    Measurement(cloud, findRays(cloud), params, {NoiseModel{tolerated}, NoiseModel{full}}, {params, 10.0})
+        .measure({all, {}, all.size()}, all, allOf(all), detection);
+    return detection.radius_stddev;
+  };
+  const float exact = deviation(kStrong, kStrong);
+  EXPECT_NEAR(deviation(kStrong / 3.0, kStrong), exact, 0.05 * exact);
+  EXPECT_GT(std::abs(deviation(kStrong / 3.0, kStrong / 3.0) - exact), 0.2 * exact) << "as it would be without it";
+}
+
 /// How much of its confidence is left to a ball of which this many points are seen, this far (rad) around one place.
 float confidenceInCap(double reach, double radius) {
   Random random(44);
