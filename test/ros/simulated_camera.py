@@ -169,7 +169,7 @@ class SimulatedCamera(unittest.TestCase):
             return [float(v.value) for a in self.diagnostics.all() for s in a.status if s.name.endswith("detector: input")
                     for v in s.values if v.key == "noise, times structured light's" and v.value != "unknown"]
         self.assertTrue(wait_for(noises))
-        self.assertTrue(0.0 < noises()[-1] < 0.3, "depths are exact: see the .test")
+        self.assertLess(noises()[-1], 0.3, "depths are exact: see the .test")
 
     def test_marks_every_primitive_in_its_place_and_size(self):
         for frame in self.frames:
