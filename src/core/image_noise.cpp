@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/frame_memory.h"
+#include "core/lower_quartile.h"
 #include "core/window_normal.h"
 
 namespace primitect {
@@ -23,10 +24,7 @@ double measureImageNoise(const Cloud& image, NormalSource& source, const Samples
     const auto deviation = windowDeviation(image, samples.index[i], static_cast<int>(std::lround(half_width)), pitch);
     if (deviation) deviations.push_back(*deviation);
   }
-  if (deviations.size() < kFewest) return 0.0;
-  const auto quartile = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 4);
-  std::nth_element(deviations.begin(), quartile, deviations.end());
-  return *quartile;
+  return deviations.size() < kFewest ? 0.0 : lowerQuartile(deviations);
 }
 
 }  // namespace primitect

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lower_quartile.h"
 #include "core/proposal.h"
 
 namespace primitect {
@@ -16,12 +17,6 @@ double robustDeviation(List<double>& magnitudes) {
   const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
   std::nth_element(magnitudes.begin(), middle, magnitudes.end());
   return 1.4826 * *middle;
-}
-
-double lowerQuartile(List<double>& values) {
-  const auto quartile = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
-  std::nth_element(values.begin(), quartile, values.end());
-  return *quartile;
 }
 
 }  // namespace

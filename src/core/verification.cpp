@@ -15,10 +15,8 @@ namespace {
 /// What is assumed before it is measured.
 NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
   constexpr double kLargestNoise = 0.005;  // of d_s: with more of it nothing can be told any more
-  NoiseModel noise;
-  noise.distance = kLargestNoise * scale.scene_diameter;
-  noise.scale = toleratedScale(scale.image_noise);
-  noise.angle = params.inlier_angle_deg * M_PI / 180.0;
+  NoiseModel noise = {kLargestNoise * scale.scene_diameter, 0.0, params.inlier_angle_deg * M_PI / 180.0,
+                      toleratedScale(scale.image_noise)};
   if (scale.depth_camera) noise.depth_share = params.inlier_depth_share / kInlierDeviations;
   return noise;
 }

@@ -30,8 +30,8 @@ struct FileReport {
 /// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise",
 /// "refused": {reason: count}, "primitives": [...], "timing_ms": {...}}. Metres, radians. What no stage has filled is
 /// null, as is the rival of a primitive that has none. With max_latency also "effort", the share of the samples. A file
-/// that could not be read:
-/// {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".
+/// that could not be read: {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and
+/// "timing_max_ms".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.

@@ -4,6 +4,7 @@
 #include "detector_diagnostics.h"
 
 #include "primitect/kernel_choice.h"
+#include "primitect/noisy_image.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -86,8 +87,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::WARN, "most normals of the clouds face away from the sensor: set orient_normals");
   } else {
     status.summary(DiagnosticStatus::OK, counters_.frames_in == 0 ? "waiting for the first cloud" : "receiving");
-    constexpr double kNoisy = 1.5;  // about where tolerances begin to grow
-    if (view_.image_noise >= kNoisy) {
+    if (view_.image_noise >= kNoisyImage) {
       status.summaryf(DiagnosticStatus::OK, "receiving, with %.1f times the noise of structured light",
                       view_.image_noise);
     }

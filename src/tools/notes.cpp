@@ -3,6 +3,7 @@
 // Questions about units, frames and intrinsics, and what to expect of noise.
 #include "tools/notes.h"
 
+#include "primitect/noisy_image.h"
 #include "tools/format.h"
 
 namespace primitect::tools {
@@ -58,8 +59,7 @@ std::string normalsText(const Detections& found) {
 }
 
 std::string noiseText(const Detections& found) {
-  constexpr double kNoisy = 1.5;  // about where tolerances begin to grow
-  if (found.image_noise < kNoisy) return "";
+  if (found.image_noise < kNoisyImage) return "";
   return format(
       "  note: points stray %.1f times as far as those of structured light: small things are missed, "
       "positions less exact; nearer, or with the camera's own filters, more is found (docs/tuning.md, The noise)\n",
