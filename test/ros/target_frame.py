@@ -58,7 +58,8 @@ class TargetFrame(unittest.TestCase):
         variances = ball.pose.covariance[0:36:7]
         self.assertGreater(variances[0], max(variances[1:3]))
         self.assertLess(variances[0], 0.01 ** 2)
-        self.assertTrue(wait_for(lambda: markers.last() and markers.last().markers[-1].header.frame_id == "base"))
+        self.assertTrue(wait_for(lambda: markers.last() and [m.header.frame_id for m in markers.last().markers][-1:] ==
+                                 ["base"]))
         self.check_frames_of_what_is_not_searched(detector)
 
     def check_frames_of_what_is_not_searched(self, detector):
