@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/arrangement.h"
+#include "core/faces_apart.h"
 #include "core/frame_memory.h"
 #include "core/labeling.h"
 #include "core/level_top.h"
@@ -75,6 +76,14 @@ struct Detector::Workspace {
   /// A plane for every height, where one leads over several tops.
   void takeTopsApart(const Cloud& whole, List<LabelRun>& runs);
 
+  // Then: workspace_faces.cpp.
+
+  /// A detection for every face, where several lie in one plane and are seen to be apart.
+  void takeFacesApart(const Cloud& whole, List<LabelRun>& runs);
+
+  /// Of such faces that were measured.
+  void distrustUnevenFaces(const List<bool>& measured);
+
   // What these are made of.
 
   bool bringsNormals(const Cloud& cloud) const;
@@ -94,6 +103,15 @@ struct Detector::Workspace {
   void voteAgain();
   void describeSegments(const List<Segment>& described, const Samples& of);
 
+  struct PlaneInImage {
+    std::size_t of;  ///< detection
+    FacesApart faces;
+  };
+  /// A face, and the largest of those in its plane: detections.
+  struct FaceBeside {
+    std::size_t index, largest;
+  };
+
   void thin(const Cloud& whole);
   void findPoints(const Cloud& whole);
   void gatherPoints(const List<LabelRun>& runs);
@@ -102,7 +120,9 @@ struct Detector::Workspace {
   Vec3 stretchOf(const Detection& item) const;
   void labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs);
   void giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
-  std::uint32_t addTop(const Plane& plane, std::size_t of);
+  std::uint32_t addPart(const Plane& plane, std::size_t of);
+  List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
+  void giveToFaces(const PlaneInImage& plane, const List<LabelRun>& runs);
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 
@@ -133,6 +153,7 @@ struct Detector::Workspace {
   List<bool> kept;                    ///< which detections have enough points
   List<bool> far_sides;               ///< which detections have points there
   List<LabelledPoints> points;        ///< of the detections
+  List<FaceBeside> beside;            ///< of planes that were taken apart
   NormalSource normal_source;         ///< of this frame
   SpareOutlines spare_outlines;
   Detections result;

@@ -87,6 +87,7 @@ void Detector::Workspace::findPoints(const Cloud& whole) {
   }
   gatherPoints(runs);
   takeTopsApart(whole, runs);
+  takeFacesApart(whole, runs);
 }
 
 void Detector::Workspace::gatherPoints(const List<LabelRun>& runs) {
@@ -175,6 +176,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     measurement.measure(points[k], clear_of_item, std::ref(on_surface), result.items[k]);
   }
   distrustBentParts(enough);
+  distrustUnevenFaces(enough);
   for (std::size_t k = 0; k < result.items.size(); ++k) {
     if (!enough[k]) {
       ++result.refusals[Refusal::few_inliers];

@@ -8,16 +8,16 @@
 
 namespace primitect {
 
-/// A detection of a top that was taken from the plane of another one. Returns its label.
-std::uint32_t Detector::Workspace::addTop(const Plane& plane, std::size_t of) {
+/// A detection of a part that was taken from the plane of another one. Returns its label.
+std::uint32_t Detector::Workspace::addPart(const Plane& plane, std::size_t of) {
   Detection& item = result.items[of];
   std::vector<Vec3> outline;
   std::swap(outline, item.extent.hull);  // a copy would not be the frame's
-  Detection top = item;
+  Detection part = item;
   std::swap(outline, item.extent.hull);
-  top.shape = plane;
-  top.extent.hull = spare_outlines.take(Kind::plane);
-  result.items.push_back(std::move(top));
+  part.shape = plane;
+  part.extent.hull = spare_outlines.take(Kind::plane);
+  result.items.push_back(std::move(part));
   kept.push_back(true);
   far_sides.push_back(false);
   return static_cast<std::uint32_t>(result.items.size());
@@ -32,7 +32,7 @@ void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, cons
   List<std::uint32_t> label_of(1, before);
   for (std::size_t k = 1; k < tops.tops().size(); ++k) {
     const LevelTops::Top& top = tops.tops()[k];
-    label_of.push_back(all * top.count >= least * seen ? addTop(top.plane, of) : 0u);
+    label_of.push_back(all * top.count >= least * seen ? addPart(top.plane, of) : 0u);
   }
   const Cloud& cloud = thinned.cloud();
   for (const LabelRun& run : runs) {

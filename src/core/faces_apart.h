@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces that lie in one plane, apart from each other: a depth camera sees between them what is behind.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/frame_memory.h"
+#include "core/hull.h"
+#include "core/label_runs.h"
+#include "core/noise.h"
+#include "primitect/cloud.h"
+#include "primitect/primitives.h"
+
+namespace primitect {
+
+/// Rows and columns of an image, the last ones included.
+struct PixelBox {
+  std::uint32_t left, right, top, bottom;
+};
+
+/// The boxes around the points of each label, 1 to `count`, in an image of this width; left > right: it has none. Other
+/// labels are left out.
+List<PixelBox> boxesOfLabels(const List<LabelRun>& runs, std::size_t count, std::uint32_t width);
+
+/// The points of one plane in an image, in square cells of some pixels. Faces are one where they touch over three
+/// cells, and where they may go on behind what hides them, or where nothing was measured; not where what lies behind
+/// the plane is seen between them.
+class FacesApart {
+ public:
+  /// Of a plane whose points lie in this box.
+  FacesApart(const PixelBox& box, std::uint32_t width);
+
+  /// Points of the plane: all of them, before anything is asked.
+  void add(const LabelRun& run);
+
+  /// Of all that was added (points).
+  std::size_t count() const { return count_; }
+
+  /// Looks for the faces of at least `least` points. The plane's normal is towards the sensor, at the origin.
+  void find(const Cloud& image, const Plane& plane, const NoiseModel& noise, std::size_t least);
+
+  /// Points of each face, the most first; less than two: the plane is not to be taken apart.
+  const List<std::size_t>& faces() const { return faces_; }
+
+  static constexpr int kNone = -1;
+  /// Index of the face that a point of the plane belongs to; kNone: to a smaller piece.
+  int faceAt(std::uint32_t pixel) const;
+
+ private:
+  using Cells = List<std::uint8_t>;  ///< 1: it is one of them
+  /// Cells [begin, end) of one row that are cores.
+  struct Span {
+    std::size_t begin, end;
+    std::size_t joined;  ///< an earlier span of the same piece, or itself
+  };
+
+  std::size_t cellAt(std::uint32_t column, std::uint32_t row) const;
+  template <class Use>
+  void forNeighbors(std::size_t cell, const Use& use) const;
+  Cells coresOf(const Cells& part) const;
+  void findPieces(const Cells& cores);
+  std::size_t firstOf(std::size_t span) const;
+  void numberPieces();
+  void growPieces();
+  bool areSeveral(std::size_t least) const;
+  bool isBehind(std::size_t cell, const Cloud& image, const Plane& plane, const NoiseModel& noise) const;
+  List<Vec2> outline() const;
+  Cells cellsInside(const List<Vec2>& outline) const;
+
+  PixelBox box_;
+  std::uint32_t width_;           ///< of the image (px)
+  std::uint32_t edge_;            ///< of a cell (px)
+  std::uint32_t columns_, rows_;  ///< of cells, with an empty one at either end
+  std::size_t count_ = 0;
+  List<std::uint32_t> points_;  ///< of each cell
+  List<Span> spans_;
+  List<int> piece_;           ///< of each cell; kNone: it is no part of any
+  List<std::size_t> pieces_;  ///< points of each
+  List<int> face_of_piece_;
+  List<std::size_t> faces_;
+};
+
+}  // namespace primitect

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces of several things that lie in one plane: each is a detection of its own, but what something hides stays one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "primitect/detector.h"
+#include "test/support/rendered_cloud.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kHeight = 0.08;  // m, of the boxes
+
+Eigen::Isometry3d at(double x, double y, double z) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Vec3(x, y, z);
+  return pose;
+}
+
+/// From above at 45 deg, 0.9 m away.
+Eigen::Isometry3d viewFrom(double side) {
+  const Vec3 eye = 0.9 * Vec3(0.7 * std::sin(side), -0.7 * std::cos(side), 0.714);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  const Vec3 forward = -eye.normalized(), right = forward.cross(Vec3::UnitZ()).normalized();
+  pose.linear() << right, forward.cross(right), forward;
+  pose.translation() = eye;
+  return pose;
+}
+
+/// A table, x to the right, y away from the camera, z up, with what stands on it.
+struct Table {
+  Table() { world.add("table", synthetic::Box{0.6, 0.4, 0.01}, at(0.0, 0.0, -0.01)); }
+
+  /// Of `length` along x, 0.1 m deep.
+  void addBox(double x, double y, double length, double height = kHeight) {
+    world.add("box", synthetic::Box{0.5 * length, 0.05, 0.5 * height}, at(x, y, 0.5 * height));
+  }
+
+  /// What one frame of a camera with noise shows of it, in the table's frame: planes that lie as this one does.
+  std::vector<Detection> planesIn(const Plane& plane, int seed, double side = 0.0) const {
+    constexpr double kTilt = 0.06, kNear = 0.004;  // rad, m
+    const Eigen::Isometry3d pose = viewFrom(side);
+    Params params;
+    params.seed = seed;
+    Detector detector{params};
+    std::vector<Detection> planes;
+    for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed, pose)).items) {
+      const Plane* found = std::get_if<Plane>(&item.shape);
+      if (!found || (pose.linear() * found->normal).cross(plane.normal).norm() > kTilt) continue;
+      if (std::abs(distance(plane, pose * item.extent.origin)) > kNear) continue;
+      planes.push_back(item);
+      planes.back().extent.origin = pose * item.extent.origin;
+    }
+    std::sort(planes.begin(), planes.end(),
+              [](const Detection& a, const Detection& b) { return a.extent.origin.x() < b.extent.origin.x(); });
+    return planes;
+  }
+
+  synthetic::World world;
+};
+
+const Plane kTops = {Vec3(0, 0, kHeight), Vec3::UnitZ()};
+
+TEST(CoplanarFaces, OfTwoBoxesOfOneHeightAreOneDetectionEach) {
+  for (const double gap : {0.04, 0.1, 0.25}) {
+    for (const double side : {-0.4, 0.0, 0.4}) {
+      for (int seed = 1; seed <= 3; ++seed) {
+        Table table;
+        const double x = 0.5 * (gap + 0.14);
+        table.addBox(-x, 0.0, 0.14);
+        table.addBox(x, 0.0, 0.14);
+        const std::vector<Detection> tops = table.planesIn(kTops, seed, side);
+        ASSERT_EQ(tops.size(), 2u) << gap << " m, from " << side << ", seed " << seed;
+        for (const std::size_t k : {0, 1}) {
+          EXPECT_NEAR(tops[k].extent.origin.x(), k == 0 ? -x : x, 0.004);
+          EXPECT_NEAR(tops[k].extent.size.x(), 0.14, 0.01);
+          EXPECT_NEAR(tops[k].extent.size.y(), 0.1, 0.01);
+        }
+      }
+    }
+  }
+}
+
+TEST(CoplanarFaces, ShareTheEvidence) {
+  for (int seed = 1; seed <= 5; ++seed) {
+    Table table;
+    table.addBox(-0.15, 0.0, 0.2);
+    table.addBox(0.1, 0.0, 0.1);
+    const std::vector<Detection> tops = table.planesIn(kTops, seed);
+    ASSERT_EQ(tops.size(), 2u) << "seed " << seed;
+    EXPECT_NEAR(tops[0].evidence.inliers / tops[1].evidence.inliers, 2.0, 0.5);
+  }
+}
+
+TEST(CoplanarFaces, OfTwoFrontsOnATableAreOneDetectionEach) {
+  const Plane fronts = {Vec3(0, -0.05, 0), -Vec3::UnitY()};
+  for (int seed = 1; seed <= 3; ++seed) {
+    Table table;
+    table.addBox(-0.14, 0.0, 0.16, 0.12);
+    table.addBox(0.14, 0.0, 0.16, 0.15);
+    const std::vector<Detection> found = table.planesIn(fronts, seed);
+    ASSERT_EQ(found.size(), 2u) << "seed " << seed;
+    for (const std::size_t k : {0, 1}) EXPECT_NEAR(found[k].extent.origin.x(), k == 0 ? -0.14 : 0.14, 0.004);
+  }
+}
+
+TEST(CoplanarFaces, AreOneWhereACanHidesTheMiddle) {
+  for (int seed = 1; seed <= 3; ++seed) {
+    Table table;
+    table.addBox(0.0, 0.1, 0.4);
+    table.world.add("can", synthetic::Rod{0.04, 0.12}, at(0.0, -0.1, 0.12));
+    const std::vector<Detection> tops = table.planesIn(kTops, seed);
+    ASSERT_EQ(tops.size(), 1u) << "seed " << seed;
+    EXPECT_NEAR(tops[0].extent.origin.x(), 0.0, 0.01);
+    EXPECT_NEAR(tops[0].extent.size.x(), 0.4, 0.015);
+  }
+}
+
+}  // namespace
+}  // namespace primitect
