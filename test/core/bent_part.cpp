@@ -126,5 +126,13 @@ TEST(BentPart, OfATableIsNotReported) {
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Detection& item) { return item.confidence == 0.0f; }));
 }
 
+TEST(BentPart, OfACloudThatNoDepthCameraTookIsAPlane) {
+  const Cloud cloud = bentTable();
+  Params params;
+  params.inlier_depth_share = 0.0;
+  Detector detector{params};
+  EXPECT_EQ(detector.detect(cloud).items.size(), 2u);
+}
+
 }  // namespace
 }  // namespace primitect
