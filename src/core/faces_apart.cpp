@@ -10,23 +10,15 @@
 namespace primitect {
 namespace {
 
-/// Calls use(row, begin, end) for the columns that the run has in each row.
-template <class Use>
-void forRows(const LabelRun& run, std::uint32_t width, const Use& use) {
-  for (std::uint32_t begin = run.begin; begin < run.end;) {
-    const std::uint32_t row = begin / width, end = std::min(run.end, (row + 1) * width);
-    use(row, begin - row * width, end - row * width);
-    begin = end;
-  }
-}
-
-/// In a plane that fills 640 x 480 pixels a face must be 27 of them wide, or is too narrow to be told apart.
+/// Of a plane that fills 640 x 480 pixels cells are 9 of them wide: there gaps of 17 pixels are seen wherever they are,
+/// and faces of 19 are faces.
 std::uint32_t edgeOfCells(const PixelBox& box) {
   constexpr double kMostCells = 4096.0;
   const double area = static_cast<double>(box.right - box.left + 1) * static_cast<double>(box.bottom - box.top + 1);
-  return std::max(2u, static_cast<std::uint32_t>(std::ceil(std::sqrt(area / kMostCells))));
+  return std::max(FacesApart::kFinest, static_cast<std::uint32_t>(std::ceil(std::sqrt(area / kMostCells))));
 }
 
+/// In columns of cells.
 struct Between {
   double left, right;
 };
@@ -48,23 +40,12 @@ Between within(const List<Vec2>& hull, double row) {
 
 }  // namespace
 
-List<PixelBox> boxesOfLabels(const List<LabelRun>& runs, std::size_t count, std::uint32_t width) {
-  List<PixelBox> boxes(count, {~0u, 0, ~0u, 0});
-  for (const LabelRun& run : runs) {
-    if (run.label > count) continue;
-    PixelBox& box = boxes[run.label - 1];
-    forRows(run, width, [&box](std::uint32_t row, std::uint32_t begin, std::uint32_t end) {
-      box = {std::min(box.left, begin), std::max(box.right, end - 1), std::min(box.top, row),
-             std::max(box.bottom, row)};
-    });
-  }
-  return boxes;
-}
+FacesApart::FacesApart(const PixelBox& box, std::uint32_t width) : FacesApart(box, width, edgeOfCells(box)) {}
 
-FacesApart::FacesApart(const PixelBox& box, std::uint32_t width)
+FacesApart::FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t edge)
     : box_(box),
       width_(width),
-      edge_(edgeOfCells(box)),
+      edge_(edge),
       columns_((box.right - box.left) / edge_ + 3),
       rows_((box.bottom - box.top) / edge_ + 3),
       points_(static_cast<std::size_t>(columns_) * rows_, 0) {}
@@ -100,7 +81,8 @@ FacesApart::Cells FacesApart::coresOf(const Cells& part) const {
   return cores;
 }
 
-/// Connected ones.
+/// Cores that hang together are one piece: spans of a row are joined to those of the row before that they touch, which
+/// takes a third of the time that going from cell to cell does.
 void FacesApart::findPieces(const Cells& cores) {
   spans_.clear();
   std::size_t before = 0;  // first of the row above
@@ -124,7 +106,7 @@ void FacesApart::findPieces(const Cells& cores) {
   numberPieces();
 }
 
-/// Of the spans that are joined.
+/// The first of the spans that this one is joined to.
 std::size_t FacesApart::firstOf(std::size_t span) const {
   while (spans_[span].joined != span) span = spans_[span].joined;
   return span;
@@ -145,15 +127,17 @@ void FacesApart::numberPieces() {
   }
 }
 
-/// By the cells around them, which are no cores.
+/// By cells around them, which are no cores as they lie at the border: from the corner of a square it is two steps to
+/// its core. Not by more: a longer end may be where another surface passes through the plane, which fronts of boxes
+/// would have along the table.
 void FacesApart::growPieces() {
-  constexpr int kCells = 2;  // to the corner of a square
+  constexpr int kSteps = 2;
   struct Joining {
     std::size_t cell;
     int piece;
   };
   List<Joining> joining;
-  for (int time = 0; time < kCells; ++time) {
+  for (int step = 0; step < kSteps; ++step) {
     joining.clear();
     for (std::size_t cell = columns_; cell + columns_ < points_.size(); ++cell) {
       if (points_[cell] == 0 || piece_[cell] != kNone) continue;
@@ -175,6 +159,7 @@ bool FacesApart::areSeveral(std::size_t least) const {
 /// Of a few of its pixels at least half lie clearly behind the plane.
 bool FacesApart::isBehind(std::size_t cell, const Cloud& image, const Plane& plane, const NoiseModel& noise) const {
   constexpr double kBehind = 2.0 * kInlierDeviations;
+  const double away = plane.normal.dot(plane.point) > 0.0 ? 1.0 : -1.0;  // from the sensor, along the normal
   const auto column = box_.left + static_cast<std::uint32_t>(cell % columns_ - 1) * edge_,
              row = box_.top + static_cast<std::uint32_t>(cell / columns_ - 1) * edge_;
   int measured = 0, behind = 0;
@@ -185,7 +170,7 @@ bool FacesApart::isBehind(std::size_t cell, const Cloud& image, const Plane& pla
       if (!image.valid(i)) continue;
       const Vec3 point(image.x[i], image.y[i], image.z[i]);
       ++measured;
-      behind += distance(plane, point) < -kBehind * noise.at(point) ? 1 : 0;
+      behind += away * distance(plane, point) > kBehind * noise.at(point) ? 1 : 0;
     }
   }
   return behind > 0 && 2 * behind >= measured;
@@ -210,7 +195,7 @@ List<Vec2> FacesApart::outline() const {
 /// two boxes.
 FacesApart::Cells FacesApart::cellsInside(const List<Vec2>& outline) const {
   Cells inside(points_.size(), 0);
-  for (std::uint32_t row = 0; row < rows_; ++row) {
+  for (std::uint32_t row = 1; row + 1 < rows_; ++row) {
     const Between span = within(outline, row);
     for (double column = std::ceil(std::max(span.left, 1.0)); column <= std::min(span.right, columns_ - 2.0);
          ++column) {
@@ -221,7 +206,7 @@ FacesApart::Cells FacesApart::cellsInside(const List<Vec2>& outline) const {
 }
 
 void FacesApart::find(const Cloud& image, const Plane& plane, const NoiseModel& noise, std::size_t least) {
-  constexpr std::size_t kOfCores = 4;  // a face has at most so many times as many points as its cores
+  constexpr std::size_t kOfCores = 13;  // a single core and the cells that are at most two steps away
   faces_.clear();
   Cells part(points_.size());
   for (std::size_t cell = 0; cell < part.size(); ++cell) part[cell] = points_[cell] > 0 ? 1 : 0;
@@ -247,7 +232,13 @@ void FacesApart::find(const Cloud& image, const Plane& plane, const NoiseModel& 
   }
 }
 
+double FacesApart::left() const {
+  return 1.0 - static_cast<double>(std::accumulate(faces_.begin(), faces_.end(), std::size_t{0})) /
+                   static_cast<double>(count_);
+}
+
 int FacesApart::faceAt(std::uint32_t pixel) const {
+  if (faces_.size() < 2) return kNone;
   const int piece = piece_[cellAt(pixel % width_, pixel / width_)];
   return piece == kNone ? kNone : face_of_piece_[piece];
 }

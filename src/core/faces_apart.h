@@ -15,37 +15,38 @@
 
 namespace primitect {
 
-/// Rows and columns of an image, the last ones included.
-struct PixelBox {
-  std::uint32_t left, right, top, bottom;
-};
-
-/// The boxes around the points of each label, 1 to `count`, in an image of this width; left > right: it has none. Other
-/// labels are left out.
-List<PixelBox> boxesOfLabels(const List<LabelRun>& runs, std::size_t count, std::uint32_t width);
-
 /// The points of one plane in an image, in square cells of some pixels. Faces are one where they touch over three
 /// cells, and where they may go on behind what hides them, or where nothing was measured; not where what lies behind
-/// the plane is seen between them.
+/// the plane is seen between them. What is less than three cells wide is no face, nor is
+/// the end of one.
 class FacesApart {
  public:
-  /// Of a plane whose points lie in this box.
+  static constexpr std::uint32_t kFinest = 2;  ///< edge of the smallest cells (px)
+
+  /// Of a plane whose points lie in this box: cells as small as takes little time.
   FacesApart(const PixelBox& box, std::uint32_t width);
+  /// With cells of this edge (px).
+  FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t edge);
+
+  std::uint32_t edge() const { return edge_; }
 
   /// Points of the plane: all of them, before anything is asked.
   void add(const LabelRun& run);
 
-  /// Of all that was added (points).
+  /// Of all that was added (pixels).
   std::size_t count() const { return count_; }
 
-  /// Looks for the faces of at least `least` points. The plane's normal is towards the sensor, at the origin.
+  /// Looks for the faces of at least `least` pixels, in an image that is seen from the origin.
   void find(const Cloud& image, const Plane& plane, const NoiseModel& noise, std::size_t least);
 
-  /// Points of each face, the most first; less than two: the plane is not to be taken apart.
+  /// Pixels of each face, the most first; less than two: the plane is not to be taken apart.
   const List<std::size_t>& faces() const { return faces_; }
 
+  /// Share of the pixels that are of no face.
+  double left() const;
+
   static constexpr int kNone = -1;
-  /// Index of the face that a point of the plane belongs to; kNone: to a smaller piece.
+  /// Index of the face that a pixel of the plane belongs to, where it has several; kNone: to none.
   int faceAt(std::uint32_t pixel) const;
 
  private:
@@ -74,10 +75,10 @@ class FacesApart {
   std::uint32_t edge_;            ///< of a cell (px)
   std::uint32_t columns_, rows_;  ///< of cells, with an empty one at either end
   std::size_t count_ = 0;
-  List<std::uint32_t> points_;  ///< of each cell
+  List<std::uint32_t> points_;  ///< of each cell (pixels)
   List<Span> spans_;
   List<int> piece_;           ///< of each cell; kNone: it is no part of any
-  List<std::size_t> pieces_;  ///< points of each
+  List<std::size_t> pieces_;  ///< pixels of each
   List<int> face_of_piece_;
   List<std::size_t> faces_;
 };

@@ -56,4 +56,17 @@ List<LabelRun> labelRunsAgain(const List<LabelRun>& runs, const List<bool>& chan
   return again;
 }
 
+List<PixelBox> boxesOfLabels(const List<LabelRun>& runs, std::size_t count, std::uint32_t width) {
+  List<PixelBox> boxes(count, {~0u, 0, ~0u, 0});
+  for (const LabelRun& run : runs) {
+    if (run.label > count) continue;
+    PixelBox& box = boxes[run.label - 1];
+    forRows(run, width, [&box](std::uint32_t row, std::uint32_t begin, std::uint32_t end) {
+      box = {std::min(box.left, begin), std::max(box.right, end - 1), std::min(box.top, row),
+             std::max(box.bottom, row)};
+    });
+  }
+  return boxes;
+}
+
 }  // namespace primitect

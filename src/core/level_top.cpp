@@ -8,34 +8,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/face_misfit.h"
+
 namespace primitect {
 namespace {
 
 constexpr int kEmpty = -2, kWaiting = -1;  // in place of the number of a piece
 
 Vec3 pointOf(const Cloud& cloud, std::uint32_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-
-/// How badly a plane fits: squares of the distances in standard deviations; what is far off counts as three of these.
-double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma) {
-  constexpr double kMost = 9.0;
-  double sum = 0.0;
-  for (const std::uint32_t i : points) {
-    const Vec3 point = pointOf(cloud, i);
-    const double away = distance(plane, point) / sigma(point);
-    sum += std::min(away * away, kMost);
-  }
-  return sum;
-}
-
-/// What it is in the mean where a depth camera sees a face with this normal: it errs along its rays, or rather in z.
-double misfitByNoise(const Cloud& cloud, const List<std::uint32_t>& points, const Vec3& normal) {
-  double sum = 0.0;
-  for (const std::uint32_t i : points) {
-    const double across = normal.dot(pointOf(cloud, i)) / cloud.z[i];
-    sum += across * across;
-  }
-  return sum;
-}
 
 /// More than chance makes of it, and than the waves of a depth camera do.
 double margin(const List<std::uint32_t>& points) {
@@ -163,9 +143,6 @@ LevelTops::LevelTops(const Cloud& cloud, const Plane& plane, const Vec3& level, 
   const double as_found = misfit(cloud, main.points, plane, sigma);
   if (main.uneven > as_found + margin(main.points)) return;
   gatherTop(cloud, {main.mean, up}, sigma);
-  // The upper side of a ring, cut off by what is allowed around the plane, has 1.6 to 1.9 times as much as noise, faces
-  // up to 1.5 times.
-  constexpr double kAsEven = 1.6;
   const double most_uneven = kAsEven * std::max(1.0, main.uneven / main.by_noise);
   while (const Piece* next = mostLevel(most_uneven)) gatherTop(cloud, {next->mean, up}, sigma);
   if (tops_.front().count == points.size()) tops_.clear();

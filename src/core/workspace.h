@@ -105,6 +105,7 @@ struct Detector::Workspace {
 
   struct PlaneInImage {
     std::size_t of;  ///< detection
+    PixelBox box;
     FacesApart faces;
   };
   /// A face, and the largest of those in its plane: detections.
@@ -122,6 +123,7 @@ struct Detector::Workspace {
   void giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
   std::uint32_t addPart(const Plane& plane, std::size_t of);
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
+  void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
   void giveToFaces(const PlaneInImage& plane, const List<LabelRun>& runs);
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);

@@ -3,13 +3,18 @@
 // Faces that lie in one plane, each a detection of its own; see workspace.h.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/evidence.h"
+#include "core/face_misfit.h"
 #include "core/point_noise.h"
 #include "core/workspace.h"
 
 namespace primitect {
 namespace {
+
+/// To be left over of a plane that is taken apart: a share of its pixels.
+constexpr double kMuch = 0.1;
 
 /// Of the samples that spoke for all of a plane this share is the face's.
 void takeShare(double share, Detection& face) {
@@ -18,39 +23,46 @@ void takeShare(double share, Detection& face) {
   face.confidence *= static_cast<float>(confidenceOf(Kind::plane, face.evidence) / of_all);
 }
 
-/// How far the points of a depth camera stray from a plane that was fitted to them: 1 is what noise makes of a face.
-double unevenness(const Detection& face, const Cloud& cloud, const List<std::uint32_t>& points,
-                  const PointNoise& sigma) {
-  const Vec3& normal = std::get<Plane>(face.shape).normal;
-  double by_noise = 0.0;
-  for (const std::uint32_t i : points) {
-    const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
-    const double across = sigma(point) * normal.dot(point) / point.z();
-    by_noise += across * across;
-  }
-  return static_cast<double>(points.size()) * face.rms_error * face.rms_error / by_noise;
-}
-
 }  // namespace
 
 /// Those of the planes (index of the detection) that are kept, in the image.
 List<Detector::Workspace::PlaneInImage> Detector::Workspace::planesInImage(const List<LabelRun>& runs) const {
-  constexpr std::size_t kNone = ~std::size_t{0};
+  constexpr std::size_t kNoPlane = ~std::size_t{0};
   const std::uint32_t width = thinned.cloud().width;
   const List<PixelBox> boxes = boxesOfLabels(runs, result.items.size(), width);
   List<PlaneInImage> planes;
-  List<std::size_t> plane_of(boxes.size(), kNone);
+  List<std::size_t> plane_of(boxes.size(), kNoPlane);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const bool seen = boxes[k].left <= boxes[k].right;
     if (!seen || !kept[k] || kindOf(result.items[k].shape) != Kind::plane) continue;
     plane_of[k] = planes.size();
-    planes.push_back({k, FacesApart(boxes[k], width)});
+    planes.push_back({k, boxes[k], FacesApart(boxes[k], width)});
   }
   for (const LabelRun& run : runs) {
     const std::size_t k = run.label - 1;
-    if (k < plane_of.size() && plane_of[k] != kNone) planes[plane_of[k]].faces.add(run);
+    if (k < plane_of.size() && plane_of[k] != kNoPlane) planes[plane_of[k]].faces.add(run);
   }
   return planes;
+}
+
+/// In cells half as wide, too, while much is left over: faces may be too narrow for those before. But smaller cells
+/// also see a path where another surface passes through the plane, and find fewer faces then.
+void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane) {
+  const auto findIn = [&](FacesApart& faces) {
+    const Plane& shape = std::get<Plane>(result.items[plane.of].shape);
+    faces.find(thinned.cloud(), shape, verification.noise(), least);
+  };
+  findIn(plane.faces);
+  if (plane.faces.faces().size() < 2) return;
+  while (plane.faces.left() > kMuch && plane.faces.edge() > FacesApart::kFinest) {
+    FacesApart finer(plane.box, thinned.cloud().width, std::max(FacesApart::kFinest, plane.faces.edge() / 2));
+    for (const LabelRun& run : runs) {
+      if (run.label == plane.of + 1) finer.add(run);
+    }
+    findIn(finer);
+    if (finer.faces().size() < plane.faces.faces().size()) return;
+    plane.faces = std::move(finer);
+  }
 }
 
 /// The largest face keeps the label of the plane, each other one gets one of its own. What is left is no part of any.
@@ -74,29 +86,30 @@ void Detector::Workspace::giveToFaces(const PlaneInImage& plane, const List<Labe
   }
 }
 
+/// Where much would be left over, of faces too narrow or too small, a plane stays one: nothing of it is to be lost.
 void Detector::Workspace::takeFacesApart(const Cloud& whole, List<LabelRun>& runs) {
   beside.clear();
-  if (!depth_camera || !thinned.cloud().organized()) return;
+  if (!depth_camera) return;
   const double least = static_cast<double>(fewestPoints(Kind::plane, whole));
-  List<PlaneInImage> planes = planesInImage(runs);
-  for (PlaneInImage& plane : planes) {
+  for (PlaneInImage& plane : planesInImage(runs)) {
     const double each = static_cast<double>(points[plane.of].all) / static_cast<double>(plane.faces.count());
-    const Plane& shape = std::get<Plane>(result.items[plane.of].shape);
-    plane.faces.find(thinned.cloud(), shape, verification.noise(), static_cast<std::size_t>(std::ceil(least / each)));
-    if (plane.faces.faces().size() > 1) giveToFaces(plane, runs);
+    findFaces(runs, static_cast<std::size_t>(std::ceil(least / each)), plane);
+    if (plane.faces.faces().size() > 1 && plane.faces.left() <= kMuch) giveToFaces(plane, runs);
   }
   if (beside.empty()) return;
   runs = labelRuns(labels);
   gatherPoints(runs);
 }
 
-/// What a plane cuts off a thing with a round side, in passing, is no face: as for tops (level_top.cpp), it is the
-/// one that strays more than noise does, and than the largest one.
+/// What a plane cuts off a thing with a round side, in passing, is no face: it strays more than noise does, and than
+/// the largest face, which has the waves of the camera.
 void Detector::Workspace::distrustUnevenFaces(const List<bool>& measured) {
-  constexpr double kAsEven = 1.6;
-  const PointNoise sigma(verification.noise());
+  const PointNoise sigma(verification.fullNoise());
   const auto uneven = [&](std::size_t k) {
-    return measured[k] ? unevenness(result.items[k], thinned.cloud(), points[k].index, sigma) : 0.0;
+    if (!measured[k]) return 0.0;
+    const Plane& plane = std::get<Plane>(result.items[k].shape);
+    const List<std::uint32_t>& of_face = points[k].index;
+    return misfit(thinned.cloud(), of_face, plane, sigma) / misfitByNoise(thinned.cloud(), of_face, plane.normal);
   };
   for (const FaceBeside& face : beside) {
     if (uneven(face.index) > kAsEven * std::max(1.0, uneven(face.largest))) result.items[face.index].confidence = 0.0f;

@@ -97,6 +97,21 @@ void Detector::Workspace::gatherPoints(const List<LabelRun>& runs) {
   for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
 }
 
+/// A detection of a part that was taken from the plane of another one. Returns its label.
+std::uint32_t Detector::Workspace::addPart(const Plane& plane, std::size_t of) {
+  Detection& item = result.items[of];
+  std::vector<Vec3> outline;
+  std::swap(outline, item.extent.hull);  // a copy would not be the frame's
+  Detection part = item;
+  std::swap(outline, item.extent.hull);
+  part.shape = plane;
+  part.extent.hull = spare_outlines.take(Kind::plane);
+  result.items.push_back(std::move(part));
+  kept.push_back(true);
+  far_sides.push_back(false);
+  return static_cast<std::uint32_t>(result.items.size());
+}
+
 /// How many points of the whole cloud each detection has, as far as was looked.
 List<std::size_t> Detector::Workspace::countPoints(const List<LabelRun>& runs) const {
   const std::size_t most = result.items.size();

@@ -8,21 +8,6 @@
 
 namespace primitect {
 
-/// A detection of a part that was taken from the plane of another one. Returns its label.
-std::uint32_t Detector::Workspace::addPart(const Plane& plane, std::size_t of) {
-  Detection& item = result.items[of];
-  std::vector<Vec3> outline;
-  std::swap(outline, item.extent.hull);  // a copy would not be the frame's
-  Detection part = item;
-  std::swap(outline, item.extent.hull);
-  part.shape = plane;
-  part.extent.hull = spare_outlines.take(Kind::plane);
-  result.items.push_back(std::move(part));
-  kept.push_back(true);
-  far_sides.push_back(false);
-  return static_cast<std::uint32_t>(result.items.size());
-}
-
 /// The first keeps the label of the plane that led over all; another that has enough points gets one of its own. What
 /// is left near them is no part of anything.
 void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole,

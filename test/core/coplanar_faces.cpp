@@ -41,14 +41,19 @@ struct Table {
   }
 
   /// What one frame of a camera with noise shows of it, in the table's frame: planes that lie as this one does.
-  std::vector<Detection> planesIn(const Plane& plane, int seed, double side = 0.0) const {
+  std::vector<Detection> planesIn(const Plane& plane, int seed, double side = 0.0, double waves = 0.0) const {
     constexpr double kTilt = 0.06, kNear = 0.004;  // rad, m
     const Eigen::Isometry3d pose = viewFrom(side);
     Params params;
     params.seed = seed;
     Detector detector{params};
     std::vector<Detection> planes;
-    for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed, pose)).items) {
+    Cloud cloud = test::renderedCloud(world, {}, seed, pose);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const auto longer = static_cast<float>(1.0 + waves * std::sin(30.0 * 2.0 * M_PI * cloud.x[i]));
+      cloud.x[i] *= longer, cloud.y[i] *= longer, cloud.z[i] *= longer;
+    }
+    for (const Detection& item : detector.detect(cloud).items) {
       const Plane* found = std::get_if<Plane>(&item.shape);
       if (!found || (pose.linear() * found->normal).cross(plane.normal).norm() > kTilt) continue;
       if (std::abs(distance(plane, pose * item.extent.origin)) > kNear) continue;
@@ -93,6 +98,7 @@ TEST(CoplanarFaces, ShareTheEvidence) {
     const std::vector<Detection> tops = table.planesIn(kTops, seed);
     ASSERT_EQ(tops.size(), 2u) << "seed " << seed;
     EXPECT_NEAR(tops[0].evidence.inliers / tops[1].evidence.inliers, 2.0, 0.5);
+    EXPECT_GT(tops[0].confidence, tops[1].confidence) << "of twice as many samples";
   }
 }
 
@@ -117,6 +123,34 @@ TEST(CoplanarFaces, AreOneWhereACanHidesTheMiddle) {
     ASSERT_EQ(tops.size(), 1u) << "seed " << seed;
     EXPECT_NEAR(tops[0].extent.origin.x(), 0.0, 0.01);
     EXPECT_NEAR(tops[0].extent.size.x(), 0.4, 0.015);
+  }
+}
+
+TEST(CoplanarFaces, MayAllHaveTheWavesOfTheCamera) {
+  constexpr double kWaves = 0.0035;  // of the depth: 1.7 standard deviations of its noise
+  for (int seed = 1; seed <= 3; ++seed) {
+    Table table;
+    table.addBox(-0.15, 0.0, 0.2);
+    table.addBox(0.15, 0.0, 0.14);
+    EXPECT_EQ(table.planesIn(kTops, seed, 0.0, kWaves).size(), 2u) << "seed " << seed;
+  }
+}
+
+TEST(CoplanarFaces, MayBeNarrow) {
+  constexpr int kSlats = 9;
+  constexpr double kWidth = 0.015, kLength = 0.3, kEvery = 0.04;  // m: some nine pixels wide, as far as they are narrow
+  for (int seed = 1; seed <= 3; ++seed) {
+    Table table;
+    for (int k = 0; k < kSlats; ++k) {
+      const double x = kEvery * (k - kSlats / 2);
+      table.world.add("slat", synthetic::Box{0.5 * kWidth, 0.5 * kLength, 0.5 * kHeight}, at(x, 0.0, 0.5 * kHeight));
+    }
+    const std::vector<Detection> tops = table.planesIn(kTops, seed);
+    ASSERT_EQ(tops.size(), static_cast<std::size_t>(kSlats)) << "seed " << seed;
+    for (int k = 0; k < kSlats; ++k) {
+      EXPECT_NEAR(tops[k].extent.origin.x(), kEvery * (k - kSlats / 2), 0.003);
+      EXPECT_NEAR(tops[k].extent.size.x(), kLength, 0.01);
+    }
   }
 }
 

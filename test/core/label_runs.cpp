@@ -90,5 +90,23 @@ TEST(LabelRuns, AreFoundByBitsOfEveryInstructionSet) {
   }
 }
 
+TEST(BoxesOfLabels, HoldTheirRunsOverSeveralRows) {
+  // 4 x 3 pixels.
+  const std::vector<std::uint32_t> labels = {0, 0, 0, 1,  //
+                                             1, 0, 2, 2,  //
+                                             0, 0, 2, 9};
+  const List<PixelBox> boxes = boxesOfLabels(labelRuns(labels), 3, 4);
+  ASSERT_EQ(boxes.size(), 3u);
+  const auto expectBox = [&](std::size_t k, const PixelBox& box) {
+    EXPECT_EQ(boxes[k].left, box.left) << k;
+    EXPECT_EQ(boxes[k].right, box.right) << k;
+    EXPECT_EQ(boxes[k].top, box.top) << k;
+    EXPECT_EQ(boxes[k].bottom, box.bottom) << k;
+  };
+  expectBox(0, {0, 3, 0, 1});
+  expectBox(1, {2, 3, 1, 2});
+  EXPECT_GT(boxes[2].left, boxes[2].right) << "no point has this label";
+}
+
 }  // namespace
 }  // namespace primitect

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums over points; see face_misfit.h.
+#include "core/face_misfit.h"
+
+#include <algorithm>
+
+namespace primitect {
+namespace {
+
+Vec3 pointOf(const Cloud& cloud, std::uint32_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
+
+}  // namespace
+
+double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma) {
+  constexpr double kMost = 9.0;
+  double sum = 0.0;
+  for (const std::uint32_t i : points) {
+    const Vec3 point = pointOf(cloud, i);
+    const double away = distance(plane, point) / sigma(point);
+    sum += std::min(away * away, kMost);
+  }
+  return sum;
+}
+
+double misfitByNoise(const Cloud& cloud, const List<std::uint32_t>& points, const Vec3& normal) {
+  double sum = 0.0;
+  for (const std::uint32_t i : points) {
+    const double across = normal.dot(pointOf(cloud, i)) / cloud.z[i];
+    sum += across * across;
+  }
+  return sum;
+}
+
+}  // namespace primitect
