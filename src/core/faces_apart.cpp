@@ -156,10 +156,11 @@ bool FacesApart::areSeveral(std::size_t least) const {
   return std::count_if(pieces_.begin(), pieces_.end(), [least](std::size_t n) { return n >= least; }) > 1;
 }
 
-/// Of a few of its pixels at least half lie clearly behind the plane.
-bool FacesApart::isBehind(std::size_t cell, const Cloud& image, const Plane& plane, const NoiseModel& noise) const {
-  constexpr double kBehind = 2.0 * kInlierDeviations;
-  const double away = plane.normal.dot(plane.point) > 0.0 ? 1.0 : -1.0;  // from the sensor, along the normal
+/// Of a few of its pixels at least half lie behind the plane: clearly, or on something else. That meets the plane, as
+/// the table does at the foot of two fronts; seen from above it is not clearly behind for some rows.
+bool FacesApart::isBehind(std::size_t cell, const LabelledImage& image, const Plane& plane) const {
+  constexpr double kClearly = 2.0 * kInlierDeviations, kOnAnother = 1.0;  // standard deviations
+  const double away = plane.normal.dot(plane.point) > 0.0 ? 1.0 : -1.0;   // from the sensor, along the normal
   const auto column = box_.left + static_cast<std::uint32_t>(cell % columns_ - 1) * edge_,
              row = box_.top + static_cast<std::uint32_t>(cell / columns_ - 1) * edge_;
   int measured = 0, behind = 0;
@@ -167,10 +168,11 @@ bool FacesApart::isBehind(std::size_t cell, const Cloud& image, const Plane& pla
     for (const std::uint32_t along : {edge_ / 4, 3 * edge_ / 4}) {
       if (row + down > box_.bottom || column + along > box_.right) continue;
       const std::size_t i = static_cast<std::size_t>(row + down) * width_ + column + along;
-      if (!image.valid(i)) continue;
-      const Vec3 point(image.x[i], image.y[i], image.z[i]);
+      if (!image.cloud.valid(i)) continue;
+      const Vec3 point(image.cloud.x[i], image.cloud.y[i], image.cloud.z[i]);
+      const double least = image.labels[i] > 0 ? kOnAnother : kClearly;
       ++measured;
-      behind += away * distance(plane, point) > kBehind * noise.at(point) ? 1 : 0;
+      behind += away * distance(plane, point) > least * image.noise.at(point) ? 1 : 0;
     }
   }
   return behind > 0 && 2 * behind >= measured;
@@ -205,16 +207,17 @@ FacesApart::Cells FacesApart::cellsInside(const List<Vec2>& outline) const {
   return inside;
 }
 
-void FacesApart::find(const Cloud& image, const Plane& plane, const NoiseModel& noise, std::size_t least) {
+void FacesApart::find(const LabelledImage& image, const Plane& plane, std::size_t least) {
   constexpr std::size_t kOfCores = 13;  // a single core and the cells that are at most two steps away
   faces_.clear();
   Cells part(points_.size());
   for (std::size_t cell = 0; cell < part.size(); ++cell) part[cell] = points_[cell] > 0 ? 1 : 0;
   findPieces(coresOf(part));
+  left_ = count_ - std::accumulate(pieces_.begin(), pieces_.end(), std::size_t{0});
   if (!areSeveral(least / kOfCores)) return;
   const Cells inside = cellsInside(outline());
   for (std::size_t cell = 0; cell < part.size(); ++cell) {
-    if (!part[cell] && inside[cell] && !isBehind(cell, image, plane, noise)) part[cell] = 1;
+    if (!part[cell] && inside[cell] && !isBehind(cell, image, plane)) part[cell] = 1;
   }
   findPieces(coresOf(part));
   growPieces();
@@ -230,12 +233,10 @@ void FacesApart::find(const Cloud& image, const Plane& plane, const NoiseModel& 
     face_of_piece_[piece] = static_cast<int>(faces_.size());
     faces_.push_back(pieces_[piece]);
   }
+  left_ = count_ - std::accumulate(faces_.begin(), faces_.end(), std::size_t{0});
 }
 
-double FacesApart::left() const {
-  return 1.0 - static_cast<double>(std::accumulate(faces_.begin(), faces_.end(), std::size_t{0})) /
-                   static_cast<double>(count_);
-}
+double FacesApart::left() const { return static_cast<double>(left_) / static_cast<double>(count_); }
 
 int FacesApart::faceAt(std::uint32_t pixel) const {
   if (faces_.size() < 2) return kNone;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/frame_memory.h"
 #include "core/hull.h"
@@ -14,6 +15,13 @@
 #include "primitect/primitives.h"
 
 namespace primitect {
+
+/// The image of a depth camera at the origin, and what its points belong to (0: to nothing).
+struct LabelledImage {
+  const Cloud& cloud;
+  const std::vector<std::uint32_t>& labels;
+  const NoiseModel& noise;
+};
 
 /// The points of one plane in an image, in square cells of some pixels. Faces are one where they touch over three
 /// cells, and where they may go on behind what hides them, or where nothing was measured; not where what lies behind
@@ -36,13 +44,14 @@ class FacesApart {
   /// Of all that was added (pixels).
   std::size_t count() const { return count_; }
 
-  /// Looks for the faces of at least `least` pixels, in an image that is seen from the origin.
-  void find(const Cloud& image, const Plane& plane, const NoiseModel& noise, std::size_t least);
+  /// Looks for the faces of at least `least` pixels.
+  void find(const LabelledImage& image, const Plane& plane, std::size_t least);
 
   /// Pixels of each face, the most first; less than two: the plane is not to be taken apart.
   const List<std::size_t>& faces() const { return faces_; }
 
-  /// Share of the pixels that are of no face.
+  /// Share of the pixels that are of no face, where there are several; else of those that are in cells at a border: of
+  /// strips all may be.
   double left() const;
 
   static constexpr int kNone = -1;
@@ -66,7 +75,7 @@ class FacesApart {
   void numberPieces();
   void growPieces();
   bool areSeveral(std::size_t least) const;
-  bool isBehind(std::size_t cell, const Cloud& image, const Plane& plane, const NoiseModel& noise) const;
+  bool isBehind(std::size_t cell, const LabelledImage& image, const Plane& plane) const;
   List<Vec2> outline() const;
   Cells cellsInside(const List<Vec2>& outline) const;
 
@@ -81,6 +90,7 @@ class FacesApart {
   List<std::size_t> pieces_;  ///< pixels of each
   List<int> face_of_piece_;
   List<std::size_t> faces_;
+  std::size_t left_ = 0;  ///< pixels
 };
 
 }  // namespace primitect

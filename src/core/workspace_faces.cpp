@@ -48,18 +48,19 @@ List<Detector::Workspace::PlaneInImage> Detector::Workspace::planesInImage(const
 /// In cells half as wide, too, while much is left over: faces may be too narrow for those before. But smaller cells
 /// also see a path where another surface passes through the plane, and find fewer faces then.
 void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane) {
-  const auto findIn = [&](FacesApart& faces) {
-    const Plane& shape = std::get<Plane>(result.items[plane.of].shape);
-    faces.find(thinned.cloud(), shape, verification.noise(), least);
+  constexpr double kStrips = 0.7;  // at the border of whole planes: of 5 x 5 cells .64
+  const LabelledImage image = {thinned.cloud(), labels, verification.noise()};
+  const Plane& shape = std::get<Plane>(result.items[plane.of].shape);
+  const auto tooWide = [](const FacesApart& faces) {
+    return faces.left() > (faces.faces().size() > 1 ? kMuch : kStrips);
   };
-  findIn(plane.faces);
-  if (plane.faces.faces().size() < 2) return;
-  while (plane.faces.left() > kMuch && plane.faces.edge() > FacesApart::kFinest) {
-    FacesApart finer(plane.box, thinned.cloud().width, std::max(FacesApart::kFinest, plane.faces.edge() / 2));
+  plane.faces.find(image, shape, least);
+  while (tooWide(plane.faces) && plane.faces.edge() > FacesApart::kFinest) {
+    FacesApart finer(plane.box, image.cloud.width, std::max(FacesApart::kFinest, plane.faces.edge() / 2));
     for (const LabelRun& run : runs) {
       if (run.label == plane.of + 1) finer.add(run);
     }
-    findIn(finer);
+    finer.find(image, shape, least);
     if (finer.faces().size() < plane.faces.faces().size()) return;
     plane.faces = std::move(finer);
   }

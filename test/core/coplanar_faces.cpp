@@ -114,6 +114,27 @@ TEST(CoplanarFaces, OfTwoFrontsOnATableAreOneDetectionEach) {
   }
 }
 
+TEST(CoplanarFaces, OfFrontsAreApartAlongTheTableTheyStandOn) {
+  // Of boxes 5 cm high, as high as the foot in which the table is not clearly behind is twice.
+  const Plane fronts = {Vec3(0, -0.05, 0), -Vec3::UnitY()};
+  for (int seed = 1; seed <= 5; ++seed) {
+    Table table;
+    for (const int k : {-1, 0, 1}) table.addBox(0.13 * k, 0.0, 0.08, 0.05);
+    const std::vector<Detection> found = table.planesIn(fronts, seed);
+    EXPECT_EQ(found.size(), 3u) << "seed " << seed;
+    for (const Detection& front : found) EXPECT_LT(front.extent.size.x(), 0.1) << "seed " << seed;
+  }
+}
+
+TEST(CoplanarFaces, OfATableAreOneBehindAWideBox) {
+  const Plane level = {Vec3::Zero(), Vec3::UnitZ()};
+  for (int seed = 1; seed <= 3; ++seed) {
+    Table table;
+    table.addBox(0.0, 0.0, 1.3);
+    EXPECT_EQ(table.planesIn(level, seed).size(), 1u) << "seed " << seed;
+  }
+}
+
 TEST(CoplanarFaces, AreOneWhereACanHidesTheMiddle) {
   for (int seed = 1; seed <= 3; ++seed) {
     Table table;

@@ -17,7 +17,8 @@ const Plane kWall = {Vec3(0, 0, 1), -Vec3::UnitZ()};
 const NoiseModel kNoise = {0.0, 0.002};
 
 /// An image as it is drawn, each character a square of pixels: `#` the wall, `.` 20 cm behind it, `+` 20 cm before it,
-/// `-` and `:` 11 and 14 mm behind it, where six standard deviations are 12, a space for nothing measured.
+/// `-` and `:` 11 and 14 mm behind it, where six standard deviations are 12, `_` a point of something else 3 mm behind
+/// it, a space for nothing measured.
 class Image {
  public:
   explicit Image(const std::vector<std::string>& drawing, std::uint32_t pixels = 8) {
@@ -27,7 +28,7 @@ class Image {
     for (std::uint32_t i = 0; i < width_ * height; ++i) {
       const std::uint32_t column = i % width_, row = i / width_;
       const char drawn = drawing[row / pixels][column / pixels];
-      labels_.push_back(drawn == '#' ? 1 : 0);
+      labels_.push_back(drawn == '#' ? 1 : drawn == '_' ? 2 : 0);
       const float z = depthOf(drawn);
       cloud_.setPoint(i, z * (0.002f * static_cast<float>(column) - 0.2f),
                       z * (0.002f * static_cast<float>(row) - 0.2f), z, {});
@@ -37,8 +38,10 @@ class Image {
   FacesApart faces(std::size_t least = 64, const Plane& wall = kWall) const {
     const List<LabelRun> runs = labelRuns(labels_);
     FacesApart result(boxesOfLabels(runs, 1, width_).front(), width_);
-    for (const LabelRun& run : runs) result.add(run);
-    result.find(cloud_, wall, kNoise, least);
+    for (const LabelRun& run : runs) {
+      if (run.label == 1) result.add(run);
+    }
+    result.find({cloud_, labels_, kNoise}, wall, least);
     return result;
   }
 
@@ -64,6 +67,8 @@ class Image {
         return 1.011f;
       case ':':
         return 1.014f;
+      case '_':
+        return 1.003f;
       default:
         return 0.0f;
     }
@@ -150,6 +155,14 @@ TEST(FacesApart, AreOneWhereWhatIsBetweenThemMayBeNoise) {
   EXPECT_EQ(Image({"###...###",  //
                    "###:::###",  //
                    "###...###"})
+                .counts(),
+            (Counts{9 * 64, 9 * 64}));
+}
+
+TEST(FacesApart, AreApartWhereSomethingElseLiesBetweenThem) {
+  EXPECT_EQ(Image({"###...###",  //
+                   "###___###",  //
+                   "###___###"})
                 .counts(),
             (Counts{9 * 64, 9 * 64}));
 }
