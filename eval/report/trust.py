@@ -51,13 +51,27 @@ def normalised_error(lines, kind, part):
     return (sum(value for value, _ in errors) / degrees if degrees else None), len(errors)
 
 
+def group_of(line):
+    """Name of the group that a cloud belongs to: paper-like scenes, depth frames, and what is unlike these. Frames that
+    were shuffled have no rows any more, and with these the detector no longer sees whose pixels are next to each other;
+    in grains noise errs alike in neighbours, farther than covariances expect."""
+    if line["set"] == CUT_OUT:
+        return "cut out of frames"
+    if line["set"] not in FRAMES:
+        return SCENES
+    if line.get("shuffle"):
+        return "shuffled frames"
+    if line.get("noise_grain", 1) > 1:
+        return "frames with noise in grains"
+    return "frames with more noise" if line.get("noise_scale", 1.0) > 1.0 else "depth frames"
+
+
 def groups(lines):
-    """Lines of the paper-like scenes and of depth frames, by name; those that were shuffled have no rows any more, and
-    with these the detector no longer sees whose pixels are next to each other."""
-    chosen = {SCENES: [line for line in lines if line["set"] not in FRAMES + (CUT_OUT,)],
-              "depth frames": [line for line in lines if line["set"] in FRAMES and not line.get("shuffle")],
-              "shuffled frames": [line for line in lines if line["set"] in FRAMES and line.get("shuffle")],
-              "cut out of frames": [line for line in lines if line["set"] == CUT_OUT]}
+    """Lines with detections by the name of their group."""
+    chosen = {name: [] for name in (SCENES, "depth frames", "shuffled frames", "cut out of frames",
+                                    "frames with more noise", "frames with noise in grains")}
+    for line in lines:
+        chosen[group_of(line)].append(line)
     return {name: some for name, some in chosen.items() if detections(some)}
 
 

@@ -71,6 +71,16 @@ def test_depth_frames_stand_apart():
         "scenes: expected calibration error 0.100", "depth frames: expected calibration error 0.900"]
 
 
+def test_frames_of_noisier_cameras_stand_apart():
+    cameras = ((1.0, 1), (2.0, 1), (2.0, 5))
+    lines = [line(set="tabletop", noise_scale=scale, noise_grain=grain, detections=[found(0.9, "right")])
+             for scale, grain in cameras]
+    of_group = {name: [(one["noise_scale"], one["noise_grain"]) for one in some]
+                for name, some in trust.groups(lines).items()}
+    assert of_group == {"depth frames": [(1.0, 1)], "frames with more noise": [(2.0, 1)],
+                        "frames with noise in grains": [(2.0, 5)]}
+
+
 def test_frames_that_were_shuffled_stand_apart():
     lines = [line(set="tabletop", shuffle=shuffle, detections=[found(0.9, "right", total=[error, 4])])
              for shuffle, error in ((False, 4.0), (True, 40.0))]
