@@ -94,7 +94,7 @@ void FacesApart::findPieces(const Cells& cores) {
       const std::size_t begin = cell;
       while (cores[cell]) ++cell;  // as far as the empty one at the end of the row
       const auto number = spans_.size();
-      spans_.push_back({begin, cell, number});
+      spans_.push_back({begin, cell, number, kNone});
       for (; above < first && spans_[above].end + columns_ <= begin; ++above) continue;
       for (std::size_t k = above; k < first && spans_[k].begin + columns_ < cell; ++k) {
         const std::size_t one = firstOf(k), other = firstOf(number);
@@ -113,17 +113,23 @@ std::size_t FacesApart::firstOf(std::size_t span) const {
 }
 
 void FacesApart::numberPieces() {
-  piece_.assign(points_.size(), kNone);
   pieces_.clear();
   for (std::size_t k = 0; k < spans_.size(); ++k) {
-    const Span& span = spans_[k];
+    Span& span = spans_[k];
     const std::size_t first = firstOf(k);
     if (first == k) pieces_.push_back(0);
-    const int piece = first == k ? static_cast<int>(pieces_.size()) - 1 : piece_[spans_[first].begin];
-    for (std::size_t cell = span.begin; cell < span.end; ++cell) {
-      piece_[cell] = piece;
-      pieces_[piece] += points_[cell];
-    }
+    span.piece = first == k ? static_cast<int>(pieces_.size()) - 1 : spans_[first].piece;
+    pieces_[span.piece] = std::accumulate(points_.begin() + static_cast<std::ptrdiff_t>(span.begin),
+                                          points_.begin() + static_cast<std::ptrdiff_t>(span.end), pieces_[span.piece]);
+  }
+}
+
+/// Only where there are several.
+void FacesApart::markCells() {
+  piece_.assign(points_.size(), kNone);
+  for (const Span& span : spans_) {
+    std::fill(piece_.begin() + static_cast<std::ptrdiff_t>(span.begin),
+              piece_.begin() + static_cast<std::ptrdiff_t>(span.end), span.piece);
   }
 }
 
@@ -220,6 +226,7 @@ void FacesApart::find(const LabelledImage& image, const Plane& plane, std::size_
     if (!part[cell] && inside[cell] && !isBehind(cell, image, plane)) part[cell] = 1;
   }
   findPieces(coresOf(part));
+  markCells();
   growPieces();
   if (!areSeveral(least)) return;
   List<std::size_t> order(pieces_.size());

@@ -63,6 +63,7 @@ class FacesApart {
   struct Span {
     std::size_t begin, end;
     std::size_t joined;  ///< an earlier span of the same piece, or itself
+    int piece;
   };
 
   std::size_t cellAt(std::uint32_t column, std::uint32_t row) const;
@@ -72,6 +73,7 @@ class FacesApart {
   void findPieces(const Cells& cores);
   std::size_t firstOf(std::size_t span) const;
   void numberPieces();
+  void markCells();
   void growPieces();
   bool areSeveral(std::size_t least) const;
   bool isBehind(std::size_t cell, const LabelledImage& image, const Plane& plane) const;
