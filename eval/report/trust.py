@@ -14,7 +14,8 @@ PARTS = ("total", "origin", "axis", "radius", "half_angle")  # see eval/nees.h
 CALIBRATED = (0.8, 1.2)
 FRAMES = ("tabletop", "clutter")  # sets of depth frames: noise of neighbours is alike there
 CUT_OUT = "objects"
-SCENES = "scenes"
+SCENES, DEPTH_FRAMES, SHUFFLED = "scenes", "depth frames", "shuffled frames"
+CUT_OUTS, NOISY, GRAINY = "cut out of frames", "frames with more noise", "frames with noise in grains"
 
 
 def detections(lines):
@@ -56,20 +57,19 @@ def group_of(line):
     were shuffled have no rows any more, and with these the detector no longer sees whose pixels are next to each other;
     in grains noise errs alike in neighbours, farther than covariances expect."""
     if line["set"] == CUT_OUT:
-        return "cut out of frames"
+        return CUT_OUTS
     if line["set"] not in FRAMES:
         return SCENES
     if line.get("shuffle"):
-        return "shuffled frames"
+        return SHUFFLED
     if line.get("noise_grain", 1) > 1:
-        return "frames with noise in grains"
-    return "frames with more noise" if line.get("noise_scale", 1.0) > 1.0 else "depth frames"
+        return GRAINY
+    return NOISY if line.get("noise_scale", 1.0) > 1.0 else DEPTH_FRAMES
 
 
 def groups(lines):
     """Lines with detections by the name of their group."""
-    chosen = {name: [] for name in (SCENES, "depth frames", "shuffled frames", "cut out of frames",
-                                    "frames with more noise", "frames with noise in grains")}
+    chosen = {name: [] for name in (SCENES, DEPTH_FRAMES, SHUFFLED, CUT_OUTS, NOISY, GRAINY)}
     for line in lines:
         chosen[group_of(line)].append(line)
     return {name: some for name, some in chosen.items() if detections(some)}
