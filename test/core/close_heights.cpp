@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "primitect/detector.h"
+#include "synthetic/scene_layout.h"
 #include "test/support/rendered_cloud.h"
 
 namespace primitect {
@@ -28,11 +29,7 @@ Eigen::Isometry3d at(double x, double z) {
 /// From above at 45 deg, from a side.
 Eigen::Isometry3d viewFrom(double away, double side) {
   const Vec3 eye = away * Vec3(0.7 * std::sin(side), -0.7 * std::cos(side), 0.714);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const Vec3 forward = -eye.normalized(), right = forward.cross(Vec3::UnitZ()).normalized();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
+  return synthetic::lookAt(eye, Vec3::Zero());
 }
 
 /// Two boxes side by side, and what one frame shows of them.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "primitect/detector.h"
+#include "synthetic/scene_layout.h"
 #include "test/support/rendered_cloud.h"
 
 namespace primitect {
@@ -24,11 +25,7 @@ Eigen::Isometry3d at(double x, double y, double z) {
 /// From above at 45 deg, 0.9 m away.
 Eigen::Isometry3d viewFrom(double side) {
   const Vec3 eye = 0.9 * Vec3(0.7 * std::sin(side), -0.7 * std::cos(side), 0.714);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const Vec3 forward = -eye.normalized(), right = forward.cross(Vec3::UnitZ()).normalized();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
+  return synthetic::lookAt(eye, Vec3::Zero());
 }
 
 /// A table, x to the right, y away from the camera, z up, with what stands on it.
