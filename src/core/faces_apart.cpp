@@ -10,14 +10,6 @@
 namespace primitect {
 namespace {
 
-/// Of a plane that fills 640 x 480 pixels cells are 9 of them wide: there gaps of 17 pixels are seen wherever they are,
-/// and faces of 19 are faces.
-std::uint32_t edgeOfCells(const PixelBox& box) {
-  constexpr double kMostCells = 4096.0;
-  const double area = static_cast<double>(box.right - box.left + 1) * static_cast<double>(box.bottom - box.top + 1);
-  return std::max(FacesApart::kFinest, static_cast<std::uint32_t>(std::ceil(std::sqrt(area / kMostCells))));
-}
-
 /// In columns of cells.
 struct Between {
   double left, right;
@@ -40,6 +32,14 @@ Between within(const List<Vec2>& hull, double row) {
 
 }  // namespace
 
+/// Of a plane that fills 640 x 480 pixels cells are 9 of them wide: there gaps of 17 pixels are seen wherever they are,
+/// and faces of 19 are faces.
+std::uint32_t FacesApart::edgeOfCells(const PixelBox& box) {
+  constexpr double kMostCells = 4096.0;
+  const double area = static_cast<double>(box.right - box.left + 1) * static_cast<double>(box.bottom - box.top + 1);
+  return std::max(kFinest, static_cast<std::uint32_t>(std::ceil(std::sqrt(area / kMostCells))));
+}
+
 FacesApart::FacesApart(const PixelBox& box, std::uint32_t width) : FacesApart(box, width, edgeOfCells(box)) {}
 
 FacesApart::FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t edge)
@@ -49,6 +49,8 @@ FacesApart::FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t e
       columns_((box.right - box.left) / edge_ + 3),
       rows_((box.bottom - box.top) / edge_ + 3),
       points_(static_cast<std::size_t>(columns_) * rows_, 0) {}
+
+FacesApart FacesApart::finer() const { return {box_, width_, std::max(kFinest, edge_ / 2)}; }
 
 std::size_t FacesApart::cellAt(std::uint32_t column, std::uint32_t row) const {
   return static_cast<std::size_t>((row - box_.top) / edge_ + 1) * columns_ + (column - box_.left) / edge_ + 1;

@@ -28,14 +28,12 @@ struct LabelledImage {
 /// the plane is seen between them. What is less than three cells wide is no face, nor is the end of one.
 class FacesApart {
  public:
-  static constexpr std::uint32_t kFinest = 2;  ///< edge of the smallest cells (px)
-
   /// Of a plane whose points lie in this box: cells as small as takes little time.
   FacesApart(const PixelBox& box, std::uint32_t width);
-  /// With cells of this edge (px).
-  FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t edge);
 
-  std::uint32_t edge() const { return edge_; }
+  /// The same without points, in cells half as wide.
+  FacesApart finer() const;
+  bool finest() const { return edge_ <= kFinest; }
 
   /// Points of the plane: all of them, before anything is asked.
   void add(const LabelRun& run);
@@ -58,7 +56,8 @@ class FacesApart {
   int faceAt(std::uint32_t pixel) const;
 
  private:
-  using Cells = List<std::uint8_t>;  ///< 1: it is one of them
+  static constexpr std::uint32_t kFinest = 2;  ///< edge of the smallest cells (px)
+  using Cells = List<std::uint8_t>;            ///< 1: it is one of them
   /// Cells [begin, end) of one row that are cores.
   struct Span {
     std::size_t begin, end;
@@ -66,6 +65,8 @@ class FacesApart {
     int piece;
   };
 
+  FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t edge);
+  static std::uint32_t edgeOfCells(const PixelBox& box);
   std::size_t cellAt(std::uint32_t column, std::uint32_t row) const;
   template <class Use>
   void forNeighbors(std::size_t cell, const Use& use) const;

@@ -105,7 +105,6 @@ struct Detector::Workspace {
 
   struct PlaneInImage {
     std::size_t of;  ///< detection
-    PixelBox box;
     FacesApart faces;
   };
   /// A face, and the largest of those in its plane: detections.
@@ -121,6 +120,9 @@ struct Detector::Workspace {
   Vec3 stretchOf(const Detection& item) const;
   void labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs);
   void giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
+  template <class PartAt>
+  void relabel(const List<LabelRun>& runs, std::uint32_t before, const List<std::uint32_t>& label_of,
+               const PartAt& partAt);
   std::uint32_t addPart(const Plane& plane, std::size_t of);
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
@@ -160,5 +162,19 @@ struct Detector::Workspace {
   SpareOutlines spare_outlines;
   Detections result;
 };
+
+/// Points of a plane that was taken apart: those that partAt(index) says are of part k get label_of[k], others, for
+/// which it is negative, none.
+template <class PartAt>
+void Detector::Workspace::relabel(const List<LabelRun>& runs, std::uint32_t before, const List<std::uint32_t>& label_of,
+                                  const PartAt& partAt) {
+  for (const LabelRun& run : runs) {
+    if (run.label != before) continue;
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
+      const int part = partAt(i);
+      labels[i] = part < 0 ? 0u : label_of[part];
+    }
+  }
+}
 
 }  // namespace primitect

@@ -36,7 +36,7 @@ List<Detector::Workspace::PlaneInImage> Detector::Workspace::planesInImage(const
     const bool seen = boxes[k].left <= boxes[k].right;
     if (!seen || !kept[k] || kindOf(result.items[k].shape) != Kind::plane) continue;
     plane_of[k] = planes.size();
-    planes.push_back({k, boxes[k], FacesApart(boxes[k], width)});
+    planes.push_back({k, FacesApart(boxes[k], width)});
   }
   for (const LabelRun& run : runs) {
     const std::size_t k = run.label - 1;
@@ -55,8 +55,8 @@ void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t leas
     return faces.left() > (faces.faces().size() > 1 ? kMuch : kStrips);
   };
   plane.faces.find(image, shape, least);
-  while (tooWide(plane.faces) && plane.faces.edge() > FacesApart::kFinest) {
-    FacesApart finer(plane.box, image.cloud.width, std::max(FacesApart::kFinest, plane.faces.edge() / 2));
+  while (tooWide(plane.faces) && !plane.faces.finest()) {
+    FacesApart finer = plane.faces.finer();
     for (const LabelRun& run : runs) {
       if (run.label == plane.of + 1) finer.add(run);
     }
@@ -78,13 +78,7 @@ void Detector::Workspace::giveToFaces(const PlaneInImage& plane, const List<Labe
   for (std::size_t k = 0; k < faces.size(); ++k) {
     takeShare(static_cast<double>(faces[k]) / static_cast<double>(plane.faces.count()), result.items[label_of[k] - 1]);
   }
-  for (const LabelRun& run : runs) {
-    if (run.label != before) continue;
-    for (std::uint32_t i = run.begin; i < run.end; ++i) {
-      const int face = plane.faces.faceAt(i);
-      labels[i] = face == FacesApart::kNone ? 0u : label_of[face];
-    }
-  }
+  relabel(runs, before, label_of, [&plane](std::uint32_t i) { return plane.faces.faceAt(i); });
 }
 
 /// Where much would be left over, of faces too narrow or too small, a plane stays one: nothing of it is to be lost.
@@ -112,8 +106,12 @@ void Detector::Workspace::distrustUnevenFaces(const List<bool>& measured) {
     const List<std::uint32_t>& of_face = points[k].index;
     return misfit(thinned.cloud(), of_face, plane, sigma) / misfitByNoise(thinned.cloud(), of_face, plane.normal);
   };
+  std::size_t largest = result.items.size();  // those of one plane follow each other
+  double most = 0.0;
   for (const FaceBeside& face : beside) {
-    if (uneven(face.index) > kAsEven * std::max(1.0, uneven(face.largest))) result.items[face.index].confidence = 0.0f;
+    if (face.largest != largest) most = kAsEven * std::max(1.0, uneven(face.largest));
+    largest = face.largest;
+    if (uneven(face.index) > most) result.items[face.index].confidence = 0.0f;
   }
 }
 
