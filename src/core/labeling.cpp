@@ -54,7 +54,8 @@ void Labeling::findNear(const PointRuns& runs, std::size_t target) {
   std::uint32_t *const near = near_.data() + word, *const border = border_.data() + word;
   for (std::size_t k = 0; k < count; ++k) {
     const float radius = kRounding * runs.radius[k], reach = radius + kRounding * allowed_[k];
-    const bool far = (radius < 0.0f) | (std::fabs(distance_[k]) > reach) | (depth_[k] < -reach);
+    const float away = std::fabs(distance_[k]);
+    const bool far = (radius < 0.0f) | (away > reach) | (depth_[k] < -reach);
     near[k] |= far ? 0u : bit;
     border[k] |= depth_[k] > radius ? 0u : bit;
   }

@@ -35,8 +35,8 @@ View viewOf(const Cloud& cloud) {
     const float u = x[i] / z[i], v = y[i] / z[i];
     // Missing points are NaN, of which no comparison holds.
     const bool in = (z[i] > 0.0f) & (-kWidest < u) & (u < kWidest) & (-kWidest < v) & (v < kWidest);
-    left[lane] = in & (u < left[lane]) ? u : left[lane], right[lane] = in & (u > right[lane]) ? u : right[lane];
-    top[lane] = in & (v < top[lane]) ? v : top[lane], bottom[lane] = in & (v > bottom[lane]) ? v : bottom[lane];
+    left[lane] = (in & (u < left[lane])) ? u : left[lane], right[lane] = (in & (u > right[lane])) ? u : right[lane];
+    top[lane] = (in & (v < top[lane])) ? v : top[lane], bottom[lane] = (in & (v > bottom[lane])) ? v : bottom[lane];
     seen[lane] += in ? 1u : 0u;
   };
   std::size_t i = 0;
