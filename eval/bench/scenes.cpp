@@ -29,12 +29,13 @@ Vec3 movedAlong(const Shape& shape, const Vec3& point, Random& random) {
   constexpr double kHalfStep = 0.005;  // m
   const Vec3 normal = normalAt(shape, point);
   const Vec3 first = normal.unitOrthogonal(), second = normal.cross(first);
-  return project(
-      shape, point + random.uniform(-kHalfStep, kHalfStep) * first + random.uniform(-kHalfStep, kHalfStep) * second);
+  const double along_first = random.uniform(-kHalfStep, kHalfStep),
+               along_second = random.uniform(-kHalfStep, kHalfStep);
+  return project(shape, point + along_first * first + along_second * second);
 }
 
 Vec3 disturbed(const Vec3& v, double sigma, Random& random) {
-  return v + sigma * Vec3(random.gaussian(), random.gaussian(), random.gaussian());
+  return v + sigma * Vec3{random.gaussian(), random.gaussian(), random.gaussian()};
 }
 
 /// With the noise of this seed, not cut at any depth.

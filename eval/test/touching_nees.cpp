@@ -27,7 +27,7 @@ struct SetTable {
   explicit SetTable(std::uint64_t seed) {
     Random random(seed);
     const auto standing = [&random](double side, double height) {
-      const Vec3 place(random.uniform(-0.1, 0.1), side * random.uniform(0.1, 0.2), synthetic::kTableHeight + height);
+      const Vec3 place{random.uniform(-0.1, 0.1), side * random.uniform(0.1, 0.2), synthetic::kTableHeight + height};
       return Eigen::Isometry3d(Eigen::Translation3d(place));
     };
     const double radius = random.uniform(0.04, 0.08), width = random.uniform(0.035, 0.06), half_length = 0.05;

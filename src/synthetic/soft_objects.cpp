@@ -55,10 +55,11 @@ Pile drawPlant(Random& random) {
     const Leaf leaf{random.uniform(0.018, 0.035), random.uniform(0.009, 0.016), 0.001, random.uniform(0.002, 0.008),
                     random.uniform(0.001, 0.006)};
     const double out = kReach * (1.0 - 0.7 * share) * std::sqrt(random.uniform(0.1, 1.0));
-    const Eigen::Isometry3d pose =
-        Eigen::Translation3d(0.0, 0.0, top + 0.03 + 0.14 * share) * Eigen::AngleAxisd(around, Vec3::UnitZ()) *
-        Eigen::Translation3d(out, 0.0, 0.0) * Eigen::AngleAxisd(random.uniform(-20.0, 70.0) * kDegree, Vec3::UnitY()) *
-        Eigen::Isometry3d(Eigen::AngleAxisd(random.uniform(-40.0, 40.0) * kDegree, Vec3::UnitX()));
+    const double roll = random.uniform(-40.0, 40.0) * kDegree, pitch = random.uniform(-20.0, 70.0) * kDegree;
+    const Eigen::Isometry3d pose = Eigen::Translation3d(0.0, 0.0, top + 0.03 + 0.14 * share) *
+                                   Eigen::AngleAxisd(around, Vec3::UnitZ()) * Eigen::Translation3d(out, 0.0, 0.0) *
+                                   Eigen::AngleAxisd(pitch, Vec3::UnitY()) *
+                                   Eigen::Isometry3d(Eigen::AngleAxisd(roll, Vec3::UnitX()));
     plant.push_back({"leaf", leaf, pose, 0.0, leaf.half_x});
   }
   return plant;

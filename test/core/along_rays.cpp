@@ -43,8 +43,8 @@ std::vector<SurfacePoint> patchOfCone(int count, Random& random) {
   const double towards = towardsCamera(kStanding);
   std::vector<SurfacePoint> points;
   for (int i = 0; i < count; ++i)
-    points.push_back(
-        test::pointOn(kStanding, random.uniform(0.03, 0.085), towards + 50.0 * test::kDegree * random.uniform(-1, 1)));
+    points.push_back(test::pointOn(
+        kStanding, {random.uniform(0.03, 0.085), towards + 50.0 * test::kDegree * random.uniform(-1, 1)}));
   return points;
 }
 

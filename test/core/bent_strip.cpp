@@ -72,7 +72,7 @@ TEST(BentStrip, IsNoneThatNoiseMayHaveBent) {
     std::vector<Vec3> few;
     for (int k = 0; k < 4 + draw % 10; ++k) {
       few.push_back(kPlane.point +
-                    Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1), 2.0 * kNoise * random.gaussian()));
+                    Vec3{random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1), 2.0 * kNoise * random.gaussian()});
     }
     EXPECT_EQ(trustIn(few), 1.0) << draw;
   }
@@ -82,8 +82,8 @@ TEST(BentStrip, IsNoneThatNoiseMayHaveBent) {
 TEST(BentStrip, IsNotToldFromTwoRowsOfPoints) {
   Random random(8);
   for (int draw = 0; draw < 500; ++draw) {
-    const Plane plane = {Vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1.0),
-                         Vec3(random.gaussian(), random.gaussian(), -3.0).normalized()};
+    const Plane plane = {Vec3{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1.0},
+                         Vec3{random.gaussian(), random.gaussian(), -3.0}.normalized()};
     const Vec3 along = plane.normal.unitOrthogonal(), across = plane.normal.cross(along);
     std::vector<Vec3> exact, two_rows;
     for (int i = 0; i < 50; ++i) {

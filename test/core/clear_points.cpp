@@ -116,7 +116,7 @@ struct BallOnFloor {
   BallOnFloor() {
     Random random(2);
     const auto floor = test::patchOf(kFloor, kCount, 0.2, random), ball = test::patchOf(kBall, kCount, random);
-    points = test::together(floor, ball);
+    points = test::together({floor, ball});
     cloud = test::cloudOf(points);
     detections = {seen(kFloor, floor), seen(kBall, ball)};
     labels.assign(kCount, 1);

@@ -71,8 +71,8 @@ std::vector<test::SurfacePoint> nearlyEdgeOn(double turn) {
   Random random(83);
   std::vector<test::SurfacePoint> points;
   for (int i = 0; i < 100; ++i) {
-    const Vec3 way = random.uniform(-0.1, 0.1) * Vec3::UnitX() + random.uniform(-0.1, 0.1) * along;
-    points.push_back({Vec3::UnitZ() + way, normal});
+    const double aside = random.uniform(-0.1, 0.1), ahead = random.uniform(-0.1, 0.1);
+    points.push_back({Vec3::UnitZ() + aside * Vec3::UnitX() + ahead * along, normal});
   }
   return points;
 }

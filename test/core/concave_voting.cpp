@@ -63,7 +63,7 @@ TEST(ConcaveVotes, FindTheInsideOfACone) {
   Params params = paperWith("concave");
   params.detect_planes = params.detect_cylinders = params.detect_spheres = false;
   for (int trial = 0; trial < 6; ++trial) {
-    const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
+    const Cone cone = {Vec3(0.0, 0.0, 1.0), -test::randomDirectionAway(random), random.uniform(15.0, 45.0) * kDegree};
     const List<Candidate> candidates = candidatesOf(wallOf(cone, 500, 0.05, 0.3, random), 2.0, params);
     expectSeenFromInside(candidates);
     SCOPED_TRACE(trial);

@@ -128,7 +128,7 @@ TEST(PoseCovariance, OfSlenderConesFarFromTheirApexIsThatOfTheErrors) {
   for (int time = 0; time < kTimes; ++time) {
     std::vector<Vec3> measured;
     for (int i = 0; i < kPoints; ++i) {
-      const test::SurfacePoint p = test::pointOn(truth, random.uniform(kFrom, kTo), random.uniform(-1.3, 1.3));
+      const test::SurfacePoint p = test::pointOn(truth, {random.uniform(kFrom, kTo), random.uniform(-1.3, 1.3)});
       measured.push_back(p.point + kNoise * random.gaussian() * p.normal);
     }
     FitPoints points;

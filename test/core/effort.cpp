@@ -115,7 +115,7 @@ Cloud wallAndSmallBall() {
   Random random(53);
   const Plane wall = {Vec3(0, 0, 1.5), Vec3(0, 0, -1)};
   return test::cloudOf(
-      test::together(test::patchOf(wall, 58800, 0.5, random), test::patchOf(test::kBall, 1200, random)));
+      test::together({test::patchOf(wall, 58800, 0.5, random), test::patchOf(test::kBall, 1200, random)}));
 }
 
 TEST(Effort, TakesTooFewSamplesForNoPoorNormals) {
@@ -125,7 +125,7 @@ TEST(Effort, TakesTooFewSamplesForNoPoorNormals) {
   std::vector<test::SurfacePoint> points;
   for (int k = 0; k < 32; ++k) {
     balls.push_back({Vec3(0.3 * (k % 8), 0.3 * (k / 8), -1.0), 0.1});
-    points = test::together(points, test::patchOf(balls.back(), 1000, random));
+    points = test::together({points, test::patchOf(balls.back(), 1000, random)});
   }
   Detector detector{Params()};
   detector.detect(test::cloudOf(points), {leastShare(Params()), {}});

@@ -22,7 +22,8 @@ Samples foldedWall(double turn, Random& random) {
   for (int face = -1; face <= 1; ++face) {
     const Vec3 along(std::cos(face * turn), 0, std::sin(face * turn)), normal(along.z(), 0, -along.x());
     for (int i = 0; i < 400; ++i) {
-      points.push_back({corner + random.uniform(0.0, 0.2) * along + random.uniform(-0.1, 0.1) * Vec3::UnitY(), normal});
+      const double across = random.uniform(0.0, 0.2), up = random.uniform(-0.1, 0.1);
+      points.push_back({corner + across * along + up * Vec3::UnitY(), normal});
     }
     corner += 0.2 * along;
   }

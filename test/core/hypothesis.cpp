@@ -64,7 +64,7 @@ Samples drawn(const std::vector<SurfacePoint>& first, const std::vector<SurfaceP
 std::vector<SurfacePoint> onAndBeside(int on, int beside, double noise) {
   Random random(17);
   const Plane near = {kPlane.point + noise * kPlane.normal, kPlane.normal};
-  return test::together(test::patchOf(kPlane, on, 0.2, random), test::patchOf(near, beside, 0.2, random));
+  return test::together({test::patchOf(kPlane, on, 0.2, random), test::patchOf(near, beside, 0.2, random)});
 }
 
 TEST(Score, OfALargePlaneIsNotSpokenAgainstByDrawsThatLeftItOut) {
@@ -72,17 +72,17 @@ TEST(Score, OfALargePlaneIsNotSpokenAgainstByDrawsThatLeftItOut) {
   const double alone = hypothesisOf(kPlane, samplesWith(kNoiseModel, on)).score;
   EXPECT_DOUBLE_EQ(hypothesisOf(kPlane, drawn(on, beside)).score, alone);
   // In one draw they are as likely to be on it as beside it.
-  EXPECT_LT(hypothesisOf(kPlane, drawn(test::together(on, beside), {})).score, alone - 100.0);
+  EXPECT_LT(hypothesisOf(kPlane, drawn(test::together({on, beside}), {})).score, alone - 100.0);
 }
 
 TEST(Score, OfAPlaneThatIsSmallInTheFirstDrawDoesNotGrowLargeInLaterOnes) {
   Random random(23);
   const Plane elsewhere = {Vec3(0, 0, 5), Vec3(0, 0, -1)};
-  const auto first = test::together(onAndBeside(30, 0, 0.0), test::patchOf(elsewhere, 600, 0.2, random));
+  const auto first = test::together({onAndBeside(30, 0, 0.0), test::patchOf(elsewhere, 600, 0.2, random)});
   // The later draw has more of it than a tenth of the first one, and then twice as many that speak against it.
   const auto on = onAndBeside(192, 0, 0.0), beside = onAndBeside(0, 384, 4.0 * test::kNoise);
   const double without = hypothesisOf(kPlane, drawn(first, on)).score;
-  EXPECT_LT(hypothesisOf(kPlane, drawn(first, test::together(on, beside))).score, without - 100.0);
+  EXPECT_LT(hypothesisOf(kPlane, drawn(first, test::together({on, beside}))).score, without - 100.0);
 }
 
 TEST(Score, OfASmallPlaneIsSpokenAgainstByAllDraws) {
@@ -91,7 +91,7 @@ TEST(Score, OfASmallPlaneIsSpokenAgainstByAllDraws) {
   const double alone = hypothesisOf(kPlane, samplesWith(kNoiseModel, first)).score;
   Random random(19);
   // Far away: the plane has less than a tenth of the first draw.
-  first = test::together(first, test::patchOf(Plane{Vec3(0, 0, 5), Vec3(0, 0, -1)}, 600, 0.2, random));
+  first = test::together({first, test::patchOf(Plane{Vec3(0, 0, 5), Vec3(0, 0, -1)}, 600, 0.2, random)});
   EXPECT_LT(hypothesisOf(kPlane, drawn(first, beside)).score, alone - 100.0);
 }
 
@@ -100,7 +100,7 @@ TEST(Score, KeepsTheGainsThatAnEvaluationWouldFind) {
   const Plane elsewhere = {Vec3(0, 0, 5), Vec3(0, 0, -1)};
   // More than one block near, and blocks that are not.
   const auto on = test::patchOf(kSphere, 150, random);
-  const Samples samples = samplesWith(kNoiseModel, test::together(test::patchOf(elsewhere, 100, 0.2, random), on));
+  const Samples samples = samplesWith(kNoiseModel, test::together({test::patchOf(elsewhere, 100, 0.2, random), on}));
   HeldGains held(samples.size(), 0.0f);
   std::fill(held.begin() + 100, held.begin() + 130, 0.9f);
   NearGains near;

@@ -28,9 +28,9 @@ const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 0.44};
 /// One shape after the other, with points missing and not a whole number of runs.
 Cloud cloudInOrder() {
   Random random(61);
-  const auto curved = together(patchOf(kBall, 1000, random), together(patchOf(kCan, 1000, -0.1, 0.1, random),
-                                                                      patchOf(kHat, 1003, 0.03, 0.25, random)));
-  Cloud cloud = test::cloudOf(measured(together(patchOf(kTable, 3000, 0.5, random), curved), 0.002, 0.0, random));
+  const auto curved = together(
+      {patchOf(kBall, 1000, random), patchOf(kCan, 1000, -0.1, 0.1, random), patchOf(kHat, 1003, 0.03, 0.25, random)});
+  Cloud cloud = test::cloudOf(measured(together({patchOf(kTable, 3000, 0.5, random), curved}), 0.002, 0.0, random));
   for (std::size_t i = 0; i < cloud.size(); i += 17) cloud.x[i] = cloud.y[i] = cloud.z[i] = std::nanf("");
   for (std::size_t i = 640; i < 900; ++i) cloud.x[i] = cloud.y[i] = cloud.z[i] = std::nanf("");
   return cloud;

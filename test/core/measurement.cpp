@@ -246,7 +246,7 @@ float confidenceInStrip(const NoiseModel& noise) {
   Random random(45);
   std::vector<test::SurfacePoint> points;
   for (int k = 0; k < 400; ++k) {
-    const Vec3 place(random.uniform(-0.2, 0.2), random.uniform(-0.01, 0.01), 1.0);
+    const Vec3 place{random.uniform(-0.2, 0.2), random.uniform(-0.01, 0.01), 1.0};
     points.push_back({place, -Vec3::UnitZ()});
   }
   Detection detection;

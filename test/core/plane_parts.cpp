@@ -22,9 +22,9 @@ constexpr std::size_t kLeast = 25;
 Samples twoTops(int count_each, double step, Random& random) {
   std::vector<SurfacePoint> points;
   for (int i = 0; i < count_each; ++i)
-    points.push_back({Vec3(random.uniform(-0.11, -0.01), random.uniform(-0.05, 0.05), 1.0), -Vec3::UnitZ()});
+    points.push_back({Vec3{random.uniform(-0.11, -0.01), random.uniform(-0.05, 0.05), 1.0}, -Vec3::UnitZ()});
   for (int i = 0; i < count_each; ++i)
-    points.push_back({Vec3(random.uniform(0.01, 0.11), random.uniform(-0.05, 0.05), 1.0 + step), -Vec3::UnitZ()});
+    points.push_back({Vec3{random.uniform(0.01, 0.11), random.uniform(-0.05, 0.05), 1.0 + step}, -Vec3::UnitZ()});
   return test::samplesOf(points);
 }
 
@@ -169,7 +169,7 @@ TEST(CoplanarGroups, JoinPartsOfOneHeightAcrossThatOfAnother) {
   Samples samples = twoTops(120, 0.008, random);
   // A third top, on the far side of the second one, as high as the first.
   for (int i = 0; i < 120; ++i) {
-    const Vec3 point(random.uniform(0.13, 0.23), random.uniform(-0.05, 0.05), 1.0);
+    const Vec3 point{random.uniform(0.13, 0.23), random.uniform(-0.05, 0.05), 1.0};
     samples.append(test::samplesOf({{point, -Vec3::UnitZ()}}));
   }
   samples = withNoise(0.002, samples);

@@ -24,10 +24,10 @@ std::vector<Case> randomCases(int count) {
     const Sphere sphere = {test::randomPoint(random), random.uniform(0.1, 1.0)};
     const Cylinder cylinder = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.1, 1.0)};
     const Cone cone = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.1, 1.3)};
-    cases.push_back({plane, pointOn(plane, random.uniform(), random.uniform())});
+    cases.push_back({plane, pointOn(plane, {random.uniform(), random.uniform()})});
     cases.push_back({sphere, pointOn(sphere, test::randomDirection(random))});
-    cases.push_back({cylinder, pointOn(cylinder, random.uniform(), random.uniform(0.0, 6.0))});
-    cases.push_back({cone, pointOn(cone, random.uniform(0.3, 1.0), random.uniform(0.0, 6.0))});
+    cases.push_back({cylinder, pointOn(cylinder, {random.uniform(), random.uniform(0.0, 6.0)})});
+    cases.push_back({cone, pointOn(cone, {random.uniform(0.3, 1.0), random.uniform(0.0, 6.0)})});
   }
   return cases;
 }

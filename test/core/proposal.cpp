@@ -118,7 +118,8 @@ TEST(Proposal, FindsTheInsideOfABallIfThatIsWanted) {
     EXPECT_EQ(kindOf(h.shape), Kind::plane);
   }
   params.convexity = "concave";
-  EXPECT_TRUE(proposed(samples, {proposalAt(tangent, samples, bottom)}, params).only(Kind::sphere));
+  const Cylinder tube = {kBall.center, Vec3::UnitX(), kBall.radius};
+  EXPECT_TRUE(proposed(samples, {proposalAt(tube, samples, bottom, true)}, params).only(Kind::sphere));
 }
 
 TEST(Proposal, IsSkippedWhereTheReferenceIsExplainedAlready) {

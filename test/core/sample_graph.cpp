@@ -181,7 +181,7 @@ TEST(Parts, HoldTheirSamplesInRisingOrder) {
   for (int k = 0; k < 300; ++k) {
     const bool right = random.uniform(0.0, 1.0) < 0.5;
     expected[right ? 1 : 0].push_back(static_cast<std::uint32_t>(points.size()));
-    points.emplace_back((right ? 1.0 : 0.0) + random.uniform(0.0, 0.1), random.uniform(0.0, 0.1), 1.0);
+    points.push_back(Vec3{(right ? 1.0 : 0.0) + random.uniform(0.0, 0.1), random.uniform(0.0, 0.1), 1.0});
     if (k % 34 != 33) continue;
     expected[2].push_back(static_cast<std::uint32_t>(points.size()));
     points.emplace_back(random.uniform(0.0, 0.02), 2.0, 1.0);

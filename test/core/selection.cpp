@@ -48,7 +48,7 @@ List<std::uint32_t> chosenOf(const std::vector<Shape>& shapes, const Samples& sa
 
 Samples twoBalls() {
   Random random(21);
-  return noisySamples(together(patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)), kTurn, random);
+  return noisySamples(together({patchOf(kBall, 300, random), patchOf(kOtherBall, 200, random)}), kTurn, random);
 }
 
 /// The point of a plane with these two coordinates.
@@ -247,7 +247,7 @@ TEST(SelectionAgain, TriesOnlyWhatIsNextToWhatWasRefused) {
   Random random(25);
   const BentStrip strip;
   const std::vector<SurfacePoint> ball = patchOf(Sphere{Vec3(0.6, 0, 1), 0.1}, 256, random);  // four blocks of its own
-  const Samples samples = samplesWith(kNoiseModel, together(ball, strip.points(random)));
+  const Samples samples = samplesWith(kNoiseModel, together({ball, strip.points(random)}));
   // As if the cylinder had been tried before the halves were there: what was refused tells whether it is tried now.
   List<Hypothesis> pool =
       poolOf({strip.cylinder, strip.left, strip.right, Sphere{Vec3(0.6, 0, 1), 0.1}, strip.cylinder}, samples);
@@ -265,7 +265,7 @@ TEST(SelectionAgain, TriesWhatIsNextToWhatJoined) {
   for (const int count : {256, 240}) {
     Random random(25);
     const std::vector<SurfacePoint> on_ball = patchOf(ball, count, random);
-    const Samples samples = samplesWith(kNoiseModel, together(on_ball, strip.points(random)));
+    const Samples samples = samplesWith(kNoiseModel, together({on_ball, strip.points(random)}));
     const List<Hypothesis> pool = poolOf({strip.cylinder, strip.left, strip.right, ball}, samples);
     ASSERT_EQ(mayOverlap(pool[0], pool[3]), count == 240);
     EXPECT_EQ(chosenAgain(samples, pool, {0}), count == 240 ? (Indices{1, 2, 3}) : (Indices{0, 3}));
@@ -322,7 +322,7 @@ TEST(Selection, TriesAgainWhatIsNextToWhatCameByAnExchange) {
 TEST(Selection, LeavesOutWhatOwnsFewerThanTheLeast) {
   Random random(26);
   const Samples samples =
-      samplesWith(kNoiseModel, together(patchOf(kBall, 300, random), patchOf(kOtherBall, 40, random)));
+      samplesWith(kNoiseModel, together({patchOf(kBall, 300, random), patchOf(kOtherBall, 40, random)}));
   EXPECT_EQ(chosenOf({kBall, kOtherBall}, samples, 40), (Indices{0, 1}));
   EXPECT_EQ(chosenOf({kBall, kOtherBall}, samples, 41), (Indices{0}));
 }

@@ -90,7 +90,7 @@ TEST(SharedNoise, OfPointsOnALineIsMeasuredToo) {
   Random random(1);
   std::vector<Vec3> points;
   for (int k = 0; k < 100; ++k) {
-    const Vec3 rounding(0.0, random.uniform(-1e-9, 1e-9), random.uniform(-1e-9, 1e-9));
+    const Vec3 rounding{0.0, random.uniform(-1e-9, 1e-9), random.uniform(-1e-9, 1e-9)};
     points.push_back(plane.point + Vec3(0.003 * k, 0, 0) + 0.3 * kNoise * plane.normal + rounding);
   }
   EXPECT_GE(measureSharedNoise(plane, points, noise), 1.0);  // threw: as many cells as no list holds

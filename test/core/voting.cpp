@@ -99,7 +99,7 @@ TEST(ConeVotes, FindApexAxisAndAngle) {
   Params params = presetParams("paper");
   params.detect_cylinders = params.detect_spheres = false;
   for (int trial = 0; trial < 6; ++trial) {
-    const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirection(random), random.uniform(15.0, 45.0) * kDegree};
+    const Cone cone = {Vec3(0.0, 0.0, 1.0), test::randomDirectionAway(random), random.uniform(15.0, 45.0) * kDegree};
     const List<Candidate> candidates = candidatesOf(patchOf(cone, 500, 0.05, 0.3, random), 2.0, params);
     SCOPED_TRACE(trial);
     expectWithinBins(shapesOf<Cone>(candidates), cone);

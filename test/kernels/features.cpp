@@ -92,18 +92,20 @@ TEST(Conditions, HoldExactlyAsThePaperNestsThem) {
   const kernels::VotingRules rules = tenDegrees();
   for (int trial = 0; trial < 300; ++trial) {
     const Sphere sphere = {test::randomPoint(random), random.uniform(0.1, 1.0)};
-    const PairFeatures on_sphere =
-        featuresOf(pointOn(sphere, test::randomDirection(random)), pointOn(sphere, test::randomDirection(random)));
+    const Vec3 from = test::randomDirection(random), to = test::randomDirection(random);
+    const PairFeatures on_sphere = featuresOf(pointOn(sphere, from), pointOn(sphere, to));
     EXPECT_TRUE(anglesSymmetric(on_sphere, rules) && vectorsTriangular(on_sphere, rules));
 
     const Cylinder cylinder = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.1, 1.0)};
-    const PairFeatures on_cylinder = featuresOf(pointOn(cylinder, random.uniform(), random.uniform(0.0, 6.0)),
-                                                pointOn(cylinder, random.uniform(), random.uniform(0.0, 6.0)));
+    const SurfacePoint low = pointOn(cylinder, {random.uniform(), random.uniform(0.0, 6.0)});
+    const SurfacePoint high = pointOn(cylinder, {random.uniform(), random.uniform(0.0, 6.0)});
+    const PairFeatures on_cylinder = featuresOf(low, high);
     EXPECT_TRUE(anglesSymmetric(on_cylinder, rules));
 
     const Plane plane = {test::randomPoint(random), test::randomDirection(random)};
-    const PairFeatures on_plane = featuresOf(pointOn(plane, random.uniform(), random.uniform()),
-                                             pointOn(plane, random.uniform(), random.uniform()));
+    const SurfacePoint here = pointOn(plane, {random.uniform(), random.uniform()});
+    const SurfacePoint there = pointOn(plane, {random.uniform(), random.uniform()});
+    const PairFeatures on_plane = featuresOf(here, there);
     EXPECT_TRUE(normalsParallel(on_plane, rules) && pointsCoplanar(on_plane, rules));
   }
 }
@@ -144,11 +146,12 @@ TEST(PairRadius, IsThatOfSphereAndCylinder) {
   Random random(4);
   for (int trial = 0; trial < 300; ++trial) {
     const Sphere sphere = {test::randomPoint(random), random.uniform(0.05, 1.0)};
-    const PairFeatures s =
-        featuresOf(pointOn(sphere, test::randomDirection(random)), pointOn(sphere, test::randomDirection(random)));
+    const Vec3 from = test::randomDirection(random), to = test::randomDirection(random);
+    const PairFeatures s = featuresOf(pointOn(sphere, from), pointOn(sphere, to));
     const Cylinder cylinder = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.05, 1.0)};
-    const PairFeatures c = featuresOf(pointOn(cylinder, random.uniform(), 0.0),
-                                      pointOn(cylinder, random.uniform(), random.uniform(0.2, 3.0)));
+    const SurfacePoint low = pointOn(cylinder, random.uniform(), 0.0);
+    const SurfacePoint high = pointOn(cylinder, {random.uniform(), random.uniform(0.2, 3.0)});
+    const PairFeatures c = featuresOf(low, high);
     if (s.c4 < std::cos(10.0 * kDegree)) {
       EXPECT_NEAR(pairRadius(s), sphere.radius, kRounding);
     }
@@ -160,8 +163,8 @@ TEST(CylinderAngle, GivesTheAxisBackThroughTheLocalFrame) {
   Random random(5);
   for (int trial = 0; trial < 300; ++trial) {
     const Cylinder cylinder = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.05, 1.0)};
-    const SurfacePoint r = pointOn(cylinder, random.uniform(), random.uniform(0.0, 6.0));
-    const SurfacePoint i = pointOn(cylinder, random.uniform(), random.uniform(0.0, 6.0));
+    const SurfacePoint r = pointOn(cylinder, {random.uniform(), random.uniform(0.0, 6.0)});
+    const SurfacePoint i = pointOn(cylinder, {random.uniform(), random.uniform(0.0, 6.0)});
     const Samples samples = test::samplesOf({r});
     const kernels::Reference reference = referenceAt(samples, 0);
     const float angle = cylinderAngle(reference, toKernel(i));
@@ -180,7 +183,7 @@ TEST(ConeVotes, GiveAxisDistanceAndAxisDirection) {
     const Cone cone = {test::randomPoint(random), test::randomDirection(random), random.uniform(0.15, 1.2)};
     const double height = random.uniform(0.2, 1.0);
     const SurfacePoint r = pointOn(cone, height, 0.0);
-    const SurfacePoint i = pointOn(cone, random.uniform(0.2, 1.0), random.uniform(0.7, 2.5));
+    const SurfacePoint i = pointOn(cone, {random.uniform(0.2, 1.0), random.uniform(0.7, 2.5)});
     const PairFeatures c = featuresOf(r, i);
     // From the surface along the normal to the axis: h tan(theta) / cos(theta).
     EXPECT_NEAR(coneAxisDistance(c), height * std::tan(cone.half_angle) / std::cos(cone.half_angle), 1e-3);

@@ -85,9 +85,9 @@ Samples clutter(std::size_t count, Random& random) {
   for (std::size_t i = 0; i < count; ++i) {
     SurfacePoint p = {test::randomPoint(random, 0.2) + Vec3::UnitZ(), test::randomDirection(random)};
     if (i % 5 == 1) p = test::pointOn(sphere, test::randomDirection(random));
-    if (i % 5 == 2) p = test::pointOn(cylinder, random.uniform(-0.2, 0.2), random.uniform(0.0, 6.3));
-    if (i % 5 == 3) p = test::pointOn(cone, random.uniform(0.05, 0.4), random.uniform(0.0, 6.3));
-    if (i % 5 == 4) p = test::pointOn(plane, random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+    if (i % 5 == 2) p = test::pointOn(cylinder, {random.uniform(-0.2, 0.2), random.uniform(0.0, 6.3)});
+    if (i % 5 == 3) p = test::pointOn(cone, {random.uniform(0.05, 0.4), random.uniform(0.0, 6.3)});
+    if (i % 5 == 4) p = test::pointOn(plane, {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)});
     if (i % 2 == 1) p.normal = -p.normal;
     points.push_back(p);
   }

@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 #include "core/pair_voting.h"
@@ -27,7 +29,13 @@ struct SurfacePoint {
 };
 
 inline Vec3 randomDirection(Random& random) {
-  return Vec3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+  return Vec3{random.gaussian(), random.gaussian(), random.gaussian()}.normalized();
+}
+
+/// Less than a right angle from the view: a cone opens away from the sensor and shows its outside.
+inline Vec3 randomDirectionAway(Random& random) {
+  const Vec3 direction = randomDirection(random);
+  return direction.z() < 0.0 ? Vec3(-direction) : direction;
 }
 
 inline Vec3 randomPoint(Random& random, double reach = 1.0) {
@@ -54,6 +62,16 @@ inline SurfacePoint pointOn(const Cone& cone, double height, double angle) {
   const Vec3 out = aroundAxis(cone.axis, angle);
   return {cone.apex + height * (cone.axis + std::tan(cone.half_angle) * out),
           std::cos(cone.half_angle) * out - std::sin(cone.half_angle) * cone.axis};
+}
+
+/// Of a random draw: what stands between braces is drawn in this order, between parentheses in any.
+struct Coordinates {
+  double first, second;
+};
+
+template <class Surface>
+SurfacePoint pointOn(const Surface& surface, const Coordinates& at) {
+  return pointOn(surface, at.first, at.second);
 }
 
 inline kernels::OrientedPoint toKernel(const SurfacePoint& p) {
@@ -117,9 +135,10 @@ inline Cloud cameraCloud(const Vec3& normal, double offset) {
   return cloud;
 }
 
-/// Points of one cloud after those of another.
-inline std::vector<SurfacePoint> together(std::vector<SurfacePoint> points, const std::vector<SurfacePoint>& more) {
-  points.insert(points.end(), more.begin(), more.end());
+/// Points of several clouds, one after the other.
+inline std::vector<SurfacePoint> together(std::initializer_list<std::vector<SurfacePoint>> clouds) {
+  std::vector<SurfacePoint> points;
+  for (const std::vector<SurfacePoint>& cloud : clouds) points.insert(points.end(), cloud.begin(), cloud.end());
   return points;
 }
 
@@ -130,7 +149,7 @@ inline double lineAngle(const Vec3& a, const Vec3& b) { return std::atan2(a.cros
 inline std::vector<SurfacePoint> patchOf(const Plane& plane, int count, double reach, Random& random) {
   std::vector<SurfacePoint> points;
   for (int i = 0; i < count; ++i) {
-    points.push_back(pointOn(plane, random.uniform(-reach, reach), random.uniform(-reach, reach)));
+    points.push_back(pointOn(plane, {random.uniform(-reach, reach), random.uniform(-reach, reach)}));
   }
   return points;
 }
@@ -143,14 +162,23 @@ inline std::vector<SurfacePoint> patchOf(const Sphere& sphere, int count, Random
   }
   return points;
 }
-template <class Round>
-std::vector<SurfacePoint> patchOf(const Round& shape, int count, double low, double high, Random& random) {
+/// So many points of cylinder or cone, between these heights, that wanted() takes; throws where it hardly takes any.
+template <class Round, class Wanted>
+std::vector<SurfacePoint> somePointsOf(const Round& shape, int count, double low, double high, Random& random,
+                                       const Wanted& wanted) {
+  constexpr int kMostDraws = 1000;  // for each of them
   std::vector<SurfacePoint> points;
-  while (static_cast<int>(points.size()) < count) {
-    const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
-    if (p.normal.dot(p.point) < 0.0) points.push_back(p);
+  for (int draw = 0; static_cast<int>(points.size()) < count; ++draw) {
+    if (draw == kMostDraws * count) throw std::logic_error("a shape that shows the sensor nothing of that side");
+    const SurfacePoint p = pointOn(shape, {random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI)});
+    if (wanted(p)) points.push_back(p);
   }
   return points;
+}
+template <class Round>
+std::vector<SurfacePoint> patchOf(const Round& shape, int count, double low, double high, Random& random) {
+  return somePointsOf(shape, count, low, high, random,
+                      [](const SurfacePoint& p) { return p.normal.dot(p.point) < 0.0; });
 }
 
 /// What a sensor at the origin sees of the far side, from inside.
@@ -164,11 +192,9 @@ inline std::vector<SurfacePoint> bowlOf(const Sphere& sphere, int count, Random&
 }
 template <class Round>
 std::vector<SurfacePoint> wallOf(const Round& shape, int count, double low, double high, Random& random) {
-  std::vector<SurfacePoint> points;
-  while (static_cast<int>(points.size()) < count) {
-    const SurfacePoint p = pointOn(shape, random.uniform(low, high), random.uniform(0.0, 2.0 * M_PI));
-    if (p.normal.dot(p.point) > 0.0) points.push_back({p.point, -p.normal});
-  }
+  std::vector<SurfacePoint> points =
+      somePointsOf(shape, count, low, high, random, [](const SurfacePoint& p) { return p.normal.dot(p.point) > 0.0; });
+  for (SurfacePoint& p : points) p.normal = -p.normal;
   return points;
 }
 

@@ -110,7 +110,7 @@ struct NoisyFit {
     std::vector<SurfacePoint> points = patch.points;
     for (SurfacePoint& p : points) {
       p.point += direction == NoiseDirection::any
-                     ? Vec3(sigma * Vec3(random.gaussian(), random.gaussian(), random.gaussian()))
+                     ? Vec3(sigma * Vec3{random.gaussian(), random.gaussian(), random.gaussian()})
                      : Vec3(sigma * random.gaussian() * p.point / p.point.z());
       measured.push_back(p.point);
     }

@@ -19,10 +19,8 @@ const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
 
 /// So many exact points of each, in the order of the kinds.
 inline std::vector<SurfacePoint> tabletop(const std::array<int, kKindCount>& counts, Random& random) {
-  std::vector<SurfacePoint> points = patchOf(kTable, counts[0], 0.5, random);
-  points = together(points, patchOf(kBall, counts[1], random));
-  points = together(points, patchOf(kCan, counts[2], -0.1, 0.1, random));
-  return together(points, patchOf(kHat, counts[3], 0.03, 0.25, random));
+  return together({patchOf(kTable, counts[0], 0.5, random), patchOf(kBall, counts[1], random),
+                   patchOf(kCan, counts[2], -0.1, 0.1, random), patchOf(kHat, counts[3], 0.03, 0.25, random)});
 }
 
 /// Two faces of a box that meet at a right angle, and the cone that touches both along lines through their edge.
@@ -33,8 +31,7 @@ struct TwoFaces {
 
   /// 200 exact points of the front, then 200 of the top.
   std::vector<SurfacePoint> points(Random& random) const {
-    const std::vector<SurfacePoint> of_front = patchOf(front, 200, 0.1, random);
-    return together(of_front, patchOf(top, 200, 0.1, random));
+    return together({patchOf(front, 200, 0.1, random), patchOf(top, 200, 0.1, random)});
   }
 };
 

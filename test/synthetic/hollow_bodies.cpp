@@ -122,7 +122,7 @@ TEST(SoftBodies, TellADistanceThatIsNeverMoreThanThatToASurfacePoint) {
     for (std::size_t i = 0; i < kSmallCamera.pixelCount(); i += 3) {
       if (view.rendering.surface[i] == kNoSurface) continue;
       const Vec3 hit = view.body().world_from_body.inverse() * view.pointAt(i);
-      const Vec3 p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+      const Vec3 p{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)};
       // Float depths near 1 m are 6e-8 m apart.
       ASSERT_LE(distanceTo(p), (p - hit).norm() + 1e-6) << "solid " << solid.index();
       ASSERT_NEAR(distanceTo(hit), 0.0, 1e-6) << "solid " << solid.index();

@@ -102,7 +102,7 @@ struct LowestPoint {
     double depth = 0.0;
     Random random(1);
     for (int i = 0; i < 20000; ++i) {
-      const Vec3 d = Vec3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+      const Vec3 d = Vec3{random.gaussian(), random.gaussian(), random.gaussian()}.normalized();
       depth = std::max(depth, -(pose.linear() * d).z() * l.reach(d));
     }
     return pose.translation().z() - depth;
@@ -145,7 +145,7 @@ inline std::vector<Vec3> pointsInside(const Body& body, int count, Random& rando
 inline Eigen::Isometry3d randomPose(const Vec3& position, Random& random) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = position;
-  Eigen::Quaterniond turn(random.gaussian(), random.gaussian(), random.gaussian(), random.gaussian());
+  Eigen::Quaterniond turn{random.gaussian(), random.gaussian(), random.gaussian(), random.gaussian()};
   pose.linear() = turn.normalized().toRotationMatrix();
   return pose;
 }
