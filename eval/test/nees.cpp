@@ -132,10 +132,10 @@ TEST(NormalisedErrors, AreAsManyAsTheirDegreesInTheMean) {
   const Vec3 across_first = Vec3::UnitY(), across_second(-0.8, 0.0, 0.6);
   for (int draw = 0; draw < kDraws; ++draw) {
     Cylinder found = truth;
-    found.point += kShiftSigma * (random.gaussian() * across_first + random.gaussian() * across_second);
-    const Vec3 turned =
-        truth.axis + kTurnSigma * (random.gaussian() * across_first + random.gaussian() * across_second);
-    found.axis = turned.normalized();
+    const double shift_first = kShiftSigma * random.gaussian(), shift_second = kShiftSigma * random.gaussian();
+    const double turn_first = kTurnSigma * random.gaussian(), turn_second = kTurnSigma * random.gaussian();
+    found.point += shift_first * across_first + shift_second * across_second;
+    found.axis = (truth.axis + turn_first * across_first + turn_second * across_second).normalized();
     sum += normalisedErrors(truth, claiming(found, found.point)).pose->value;
   }
   // Chi square of 4 degrees has variance 8: the mean of 4000 is known to 0.045.

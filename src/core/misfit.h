@@ -19,8 +19,9 @@ double trustInFit(const Shape& shape, double rms_error, const SeenPoints& points
 /// is seen, in one of four rings of as many points. 0 where fewer than six of them have eight points.
 double unevennessOf(const Sphere& ball, const SeenPoints& seen);
 
-/// What is left of the confidence in a shape that was fitted to these points of any other cloud, [0, 1]: its noise was
-/// measured in the cloud itself, and what is nearly a ball passes for a noisy one, but for its unevenness.
+/// What is left of the confidence in a shape that was fitted to these points of a cloud that is no depth camera's,
+/// [0, 1]: its noise was measured in the cloud itself, and what is nearly a ball passes for a noisy one, but for its
+/// unevenness. Full of other kinds, and where that is not told.
 double trustInEvenness(const Shape& shape, const SeenPoints& points);
 
 }  // namespace primitect

@@ -78,8 +78,8 @@ std::vector<Vec3> sector(const Round& shape, int count, double from_deg, double 
   std::vector<Vec3> points;
   for (int i = 0; i < count; ++i) {
     const double angle = random.uniform(from_deg, to_deg) * kDegree;
-    points.push_back(test::pointOn(shape, random.uniform(low, high), angle).point +
-                     0.001 * Vec3{random.gaussian(), random.gaussian(), random.gaussian()});
+    const Vec3 exact = test::pointOn(shape, random.uniform(low, high), angle).point;
+    points.push_back(exact + 0.001 * Vec3{random.gaussian(), random.gaussian(), random.gaussian()});
   }
   return points;
 }

@@ -26,9 +26,9 @@ using test::kTable;
 using test::patchOf;
 using test::SurfacePoint;
 
-/// 8000 exact points with normals. Of one draw in eight the paper's way takes the can for a cone.
-Cloud tabletop() {
-  Random random(42);
+/// 8000 exact points with normals.
+Cloud tabletop(std::uint64_t seed = 41) {
+  Random random(seed);
   return test::cloudOf(test::tabletop({4000, 1300, 1300, 1400}, random));
 }
 
@@ -56,17 +56,20 @@ std::vector<double> shapeNumbers(const Shape& shape) {
   return list(cone.apex, cone.axis, cone.half_angle);
 }
 
-class DetectorPreset : public ::testing::TestWithParam<const char*> {};
+struct PresetCase {
+  const char* preset;
+  int least;  ///< of ten draws: so many with one shape of each kind
+};
 
-TEST_P(DetectorPreset, FindsTableBallCanAndCone) {
-  Detector detector(presetParams(GetParam()));
-  const Detections& result = detector.detect(tabletop());
-  EXPECT_EQ(result.status, Status::ok);
+class DetectorPreset : public ::testing::TestWithParam<PresetCase> {};
+
+/// Whether it finds one of each kind; these are to be where they are.
+bool findsTheFour(const Detections& result) {
   const Plane* plane = only<Plane>(result);
   const Sphere* sphere = only<Sphere>(result);
   const Cylinder* cylinder = only<Cylinder>(result);
   const Cone* cone = only<Cone>(result);
-  ASSERT_TRUE(plane && sphere && cylinder && cone) << result.items.size() << " detections";
+  if (!plane || !sphere || !cylinder || !cone) return false;
   EXPECT_LT(test::lineAngle(plane->normal, kTable.normal), 1.0 * kDegree);
   EXPECT_LT(std::abs(distance(*plane, kTable.point)), 0.005);
   // A third of a radius bin, which is 0.005 d_s, about 8 mm.
@@ -77,9 +80,23 @@ TEST_P(DetectorPreset, FindsTableBallCanAndCone) {
   EXPECT_NEAR(cone->half_angle, kHat.half_angle, 2.0 * kDegree);
   EXPECT_LT((cone->apex - kHat.apex).norm(), 0.02);
   EXPECT_GT(cone->axis.dot(kHat.axis), std::cos(3.0 * kDegree));
+  return true;
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, DetectorPreset, ::testing::Values("paper", "default"));
+TEST_P(DetectorPreset, FindsTableBallCanAndCone) {
+  Detector detector(presetParams(GetParam().preset));
+  int complete = 0;
+  for (std::uint64_t draw = 1; draw <= 10; ++draw) {
+    const Detections& result = detector.detect(tabletop(draw));
+    EXPECT_EQ(result.status, Status::ok);
+    SCOPED_TRACE(draw);
+    complete += findsTheFour(result) ? 1 : 0;
+  }
+  EXPECT_GE(complete, GetParam().least);
+}
+
+// Of 200 draws the paper's way took the can for a cone in 24.
+INSTANTIATE_TEST_SUITE_P(Presets, DetectorPreset, ::testing::Values(PresetCase{"paper", 6}, PresetCase{"default", 10}));
 
 TEST(Detector, RepeatsItselfBitForBit) {
   const Cloud cloud = tabletop();

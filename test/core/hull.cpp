@@ -31,8 +31,8 @@ List<Vec2> borderOf(double width, double height, double angle, int on_each) {
   List<Vec2> points;
   for (int k = 0; k < on_each; ++k) {
     const double at = static_cast<double>(k) / (on_each - 1);
-    for (const Vec2& p : {Vec2(at * width, 0.0), Vec2(at * width, height), Vec2(0.0, at * height),
-                          Vec2(width, at * height)}) {
+    for (const Vec2& p :
+         {Vec2(at * width, 0.0), Vec2(at * width, height), Vec2(0.0, at * height), Vec2(width, at * height)}) {
       points.push_back(turn * p);
     }
   }

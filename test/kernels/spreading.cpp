@@ -69,7 +69,8 @@ class BallSpreadTest : public ::testing::Test {
 TEST_F(BallSpreadTest, KeepsMassForAnyAxis) {
   Random random(1);
   for (int trial = 0; trial < 5000; ++trial) {
-    const BallSpread s = spread(random.uniform(0.1, 3.0) * test::randomDirection(random));
+    const double length = random.uniform(0.1, 3.0);
+    const BallSpread s = spread(length * test::randomDirection(random));
     float mass = 0.0f;
     for (int k = 0; k < 4; ++k) {
       EXPECT_GE(s.weight[k], 0.0f);

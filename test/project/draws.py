@@ -2,73 +2,96 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Random draws: arguments of a call and operands are evaluated in any order, so that two draws among them make other
-numbers with another compiler or processor. Between braces, and in statements of their own, they keep their order."""
+numbers with another compiler or processor. Between braces, and in statements of their own, they keep their order.
+Draws of a generator that is called `random` are seen, not those in functions that keep one."""
 import os
 import re
 import sys
 
 FOLDERS = ("src", "eval", "test")
-DRAW = re.compile(r"\brandom\s*\.\s*(uniform|gaussian|below|next)\b|[(,]\s*random\s*[,)]")
-SILENT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')  # comments, texts
-NO_CALL = re.compile(r"\b(for|while|if|switch|return)\s*$")
-OPENING, CLOSING = "([{", ")]}"
-OPERATOR = re.compile(r"(?<= )[-+*/](?=\s)")
+SILENT = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'""", re.DOTALL)  # comments, texts
+TOKEN = re.compile(r"\brandom_?\s*\.\s*(?P<draw>uniform|gaussian|below|next)\b"
+                   r"|(?<=[(,])\s*(?P<passed>random_?)\s*(?=[,)])"
+                   r"|(?P<ordered>&&|\|\||<<|>>|[-+*/%&|^]=|(?<![<>=!])=(?!=)|[?;]|(?<!:):(?!:))"
+                   r"|(?P<none>->|\+\+|--)"
+                   r"|(?P<operator>[<>=!]=|[-+*/%<>&|^])"
+                   r"|(?P<other>[(){}\[\],])")
 
 
-def parts_of(text, is_end):
-    """The text between ends that stand in no bracket."""
-    parts, depth, begin = [], 0, 0
-    for place, letter in enumerate(text):
-        depth += (letter in OPENING) - (letter in CLOSING)
-        if depth == 0 and is_end(text, place):
-            parts.append(text[begin:place])
-            begin = place + 1
-    return parts + [text[begin:]]
+class Group:
+    """What stands between two brackets: how many operands draw since the last thing that keeps an order."""
 
+    def __init__(self, bracket, begin):
+        self.bracket, self.begin = bracket, begin
+        self.statements = self.draws = self.draws_at_all = False
+        self.operands = 0
 
-def draws(parts):
-    return sum(1 for part in parts if DRAW.search(part))
+    def end_operand(self):
+        self.operands += self.draws
+        self.draws = False
+        return self.operands > 1
 
-
-def is_comma(text, place):
-    return text[place] == ","
-
-
-def is_operator(text, place):
-    return OPERATOR.match(text, place) is not None
+    def keep_order(self):
+        unordered = self.end_operand()
+        self.operands = 0
+        return unordered
 
 
 def places_of(text):
-    """Where two arguments or two operands draw."""
-    text = SILENT.sub(lambda match: " " * len(match.group()), text)
-    opened = []
-    for place, letter in enumerate(text):
-        if letter == "(":
-            opened.append(place)
-        elif letter == ")" and opened:
-            begin = opened.pop()
-            if not NO_CALL.search(text, 0, begin) and draws(parts_of(text[begin + 1:place], is_comma)) > 1:
-                yield begin
-    for statement in re.finditer(r"[^;{}]+", text):
-        for part in parts_of(statement.group(), is_comma):
-            if draws(parts_of(part, is_operator)) > 1:
-                yield statement.start() + statement.group().index(part)
+    """Where operands or arguments draw, and no order is kept."""
+    text = SILENT.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+    groups = [Group("{", 0)]
+    for token in TOKEN.finditer(text):
+        group = groups[-1]
+        letter = token.group("other")
+        if token.group("draw"):
+            group.draws = group.draws_at_all = True
+        elif token.group("passed"):  # who gets the generator draws after all arguments have their values
+            group.draws_at_all = True
+        elif token.group("ordered"):
+            group.statements |= token.group() == ";"
+            if group.keep_order():
+                yield token.start()
+        elif token.group("operator"):
+            group.end_operand()
+        elif letter == ",":
+            if group.end_operand() if group.bracket == "(" else group.keep_order():
+                yield token.start()
+                group.operands = 0
+        elif letter and letter in "([{":
+            groups.append(Group(letter, token.start()))
+        elif letter and len(groups) > 1:
+            if group.keep_order():
+                yield token.start()
+            groups.pop()
+            if group.bracket == "{" and (group.statements or not group.draws_at_all):
+                if groups[-1].bracket == "{" and groups[-1].keep_order():  # a function, a loop, a lambda
+                    yield token.start()
+            elif group.draws_at_all:
+                groups[-1].draws = groups[-1].draws_at_all = True
 
 
 def faults_of(path):
     with open(path, encoding="utf-8") as file:
         text = file.read()
     for place in places_of(text) if "random" in text else ():
-        yield "%s:%d: draws in any order" % (path, text.count("\n", 0, place + 1) + 1)
+        yield "%s:%d: draws in any order" % (path, text.count("\n", 0, place) + 1)
 
 
 def self_test():
     for wrong in ("f(random.uniform(), random.uniform());", "Vec3 v(1, random.below(2), g(random));",
-                  "x = random.uniform() * a + random.uniform() * b;", "f(g(3, random), h(random));"):
-        assert list(places_of(wrong)), "the test of draws has gone blind: " + wrong
+                  "x = random.uniform() * a + random.uniform() * b;", "f(g(3, random), h(random));",
+                  "x += s * (random.gaussian() * a + random.gaussian() * b);", "s(random.uniform(1, 2) * g(random));",
+                  "f(p, q + random.uniform(0, 1) * a + random.uniform(0, 1) * b);",
+                  "add(pointOn(s, random.uniform(0, 1), a).p + 0.1 * Vec3{random.gaussian(), 0});",
+                  "x = random.uniform() < random.uniform();", "f('\"', random.below(2), random.below(3));"):
+        assert list(places_of("{ " + wrong + " }")), "the test of draws has gone blind: " + wrong
     for right in ("Vec3 v{random.uniform(), random.uniform()};", "a = random.uniform(), b = random.uniform();",
-                  "f({g(random), h(random)});", "f(random.uniform(-1, 1), 2); // random.uniform() + random.uniform()"):
-        assert not list(places_of(right)), "the test of draws sees ghosts: " + right
+                  "f({g(random), h(random)});", "f(random.uniform(-1, 1), 2); // random.uniform() + random.uniform()",
+                  "x = c ? random.uniform() * 2 : random.uniform() * 3;", "/* random.below(2) + */ y = random.below(3);",
+                  "f(g(random), random);", "if (random.uniform() < 1 || random.uniform() > 2) f(random);",
+                  "const auto g = [&] { return random.uniform(); }; y = g() + random.uniform();"):
+        assert not list(places_of("{ " + right + " }")), "the test of draws sees ghosts: " + right
 
 
 def main(root):

@@ -64,7 +64,7 @@ inline SurfacePoint pointOn(const Cone& cone, double height, double angle) {
           std::cos(cone.half_angle) * out - std::sin(cone.half_angle) * cone.axis};
 }
 
-/// Of a random draw: what stands between braces is drawn in this order, between parentheses in any.
+/// Where pointOn() is to be: height and angle, or u and v. Between braces they may be drawn, in this order.
 struct Coordinates {
   double first, second;
 };
