@@ -149,9 +149,10 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   measureToTheEnds(detection.shape, points_, detection.extent);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
-  const double trust_in_fit = noise_.ofDepthCamera() ? trustInFit(detection.shape, detection.rms_error, points_, sigma_)
-                                                     : trustInEvenness(detection.shape, points_);
-  detection.confidence *= static_cast<float>(trust_in_fit);
+  detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));
+  if (noise_.ofDepthCamera()) {
+    detection.confidence *= static_cast<float>(trustInFit(detection.shape, detection.rms_error, points_, sigma_));
+  }
   if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera()) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
     const Plane& plane = std::get<Plane>(detection.shape);

@@ -15,13 +15,14 @@ namespace primitect {
 double trustInFit(const Shape& shape, double rms_error, const SeenPoints& points, const PointNoise& sigma);
 
 /// Variance of the distances to a ball from one of sixteen parts of what is seen of it to the next, as a share of that
-/// within the parts: 0, up to chance, of a ball, whatever the noise. A part is a quarter of the turn around where most
-/// is seen, in one of four rings of as many points. 0 where fewer than six of them have eight points.
-double unevennessOf(const Sphere& ball, const SeenPoints& seen);
+/// within the parts, or of the square of the least noise (m) where that is more: 0, up to chance, of a ball, whatever
+/// the noise. A part is a quarter of the turn around where most is seen, in one of four rings of as many points. 0
+/// where fewer than six of them have eight points.
+double unevennessOf(const Sphere& ball, const SeenPoints& seen, double least_noise);
 
-/// What is left of the confidence in a shape that was fitted to these points of a cloud that is no depth camera's,
-/// [0, 1]: its noise was measured in the cloud itself, and what is nearly a ball passes for a noisy one, but for its
-/// unevenness. Full of other kinds, and where that is not told.
-double trustInEvenness(const Shape& shape, const SeenPoints& points);
+/// What is left of the confidence in a shape that was fitted to these points, [0, 1], by its unevenness: where noise
+/// was measured in the cloud itself, or is less than that of usual depth cameras, what is nearly a ball passes for a
+/// noisy one. Full of other kinds, and where that is not told.
+double trustInEvenness(const Shape& shape, const SeenPoints& points, const PointNoise& sigma, bool of_depth_camera);
 
 }  // namespace primitect

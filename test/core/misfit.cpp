@@ -62,7 +62,7 @@ TEST(Unevenness, IsTheVarianceBetweenPartsOfABallOverThatWithin) {
   for (const double variance : {0.0, 0.5, 1.0, 2.0}) {
     double mean = 0.0;
     for (int draw = 1; draw <= kDraws; ++draw) {
-      mean += unevennessOf(kBall, unevenBall(kBall, variance, 512, draw)) / kDraws;
+      mean += unevennessOf(kBall, unevenBall(kBall, variance, 512, draw), 0.0) / kDraws;
     }
     // Of 512 points it scatters by .2 at 2, so that the mean of twenty is known to .045; below 0 it is 0.
     EXPECT_NEAR(mean, variance, 0.02 + 0.07 * variance) << variance;
@@ -70,17 +70,31 @@ TEST(Unevenness, IsTheVarianceBetweenPartsOfABallOverThatWithin) {
 }
 
 TEST(Unevenness, IsNotToldByAFewPoints) {
-  EXPECT_EQ(unevennessOf(kBall, {}), 0.0);
-  EXPECT_EQ(unevennessOf(kBall, unevenBall(kBall, 2.0, 40, 1)), 0.0);
-  EXPECT_EQ(unevennessOf(kBall, std::vector<Vec3>(300, Vec3(0, 0, 0.94))), 0.0);  // one place
-  EXPECT_EQ(unevennessOf(kBall, std::vector<Vec3>(300, kBall.center)), 0.0);
+  EXPECT_EQ(unevennessOf(kBall, {}, 0.0), 0.0);
+  EXPECT_EQ(unevennessOf(kBall, unevenBall(kBall, 2.0, 40, 1), 0.0), 0.0);
+  EXPECT_EQ(unevennessOf(kBall, std::vector<Vec3>(300, Vec3(0, 0, 0.94)), 0.0), 0.0);  // one place
+  EXPECT_EQ(unevennessOf(kBall, std::vector<Vec3>(300, kBall.center), 0.0), 0.0);
 }
 
 TEST(TrustInEvenness, IsFullOfBallsWhateverTheNoiseAndNoneOfWhatIsClearlyUneven) {
-  EXPECT_EQ(trustInEvenness(kBall, unevenBall(kBall, 0.0, 1000, 1)), 1.0);
-  EXPECT_EQ(trustInEvenness(kBall, unevenBall(kBall, 2.0, 1000, 1)), 0.0);
-  const Cylinder tube = {kBall.center, Vec3::UnitY(), kBall.radius};
-  EXPECT_EQ(trustInEvenness(tube, unevenBall(kBall, 2.0, 1000, 1)), 1.0);
+  for (const bool of_depth_camera : {false, true}) {
+    EXPECT_EQ(trustInEvenness(kBall, unevenBall(kBall, 0.0, 1000, 1), sigma, of_depth_camera), 1.0);
+    EXPECT_EQ(trustInEvenness(kBall, unevenBall(kBall, 3.0, 1000, 1), sigma, of_depth_camera), 0.0);
+    const Cylinder tube = {kBall.center, Vec3::UnitY(), kBall.radius};
+    EXPECT_EQ(trustInEvenness(tube, unevenBall(kBall, 3.0, 1000, 1), sigma, of_depth_camera), 1.0);
+  }
+}
+
+TEST(TrustInEvenness, IsFullWhereFitsEndOnExactPoints) {
+  const SeenPoints exact = ballWithStep(kBall, 0.05 * kSigma);
+  EXPECT_GT(unevennessOf(kBall, exact, 0.0), 0.6);
+  EXPECT_EQ(trustInEvenness(kBall, exact, sigma, false), 1.0);
+}
+
+TEST(TrustInEvenness, KnowsThatDepthCamerasBendWhatTheySee) {
+  const SeenPoints bent = unevenBall(kBall, 0.5, 4000, 1);
+  EXPECT_LT(trustInEvenness(kBall, bent, sigma, false), 0.9);
+  EXPECT_EQ(trustInEvenness(kBall, bent, sigma, true), 1.0);
 }
 
 TEST(TrustInFit, IsFullOfOtherKinds) {
