@@ -78,6 +78,11 @@ std::array<Part, kParts> partsOf(const List<Sight>& sights) {
   return parts;
 }
 
+/// That of a point among them (m), of at least one.
+double typicalNoise(const SeenPoints& points, const PointNoise& sigma) {
+  return sigma(points.point(points.size() / 2));
+}
+
 }  // namespace
 
 double trustInFit(const Shape& shape, double rms_error, const SeenPoints& points, const PointNoise& sigma) {
@@ -85,7 +90,7 @@ double trustInFit(const Shape& shape, double rms_error, const SeenPoints& points
   // 1.02, of a cap 1.2. Of ellipsoids seen from the side, axes 1 to 1.15 and 1 to 1.4, .9 to 1.4.
   constexpr double kFits = 1.25, kDoesNot = 1.45;
   if (kindOf(shape) != Kind::sphere || points.empty()) return 1.0;
-  return 1.0 - ramp(kFits, kDoesNot, rms_error / sigma(points.point(points.size() / 2)));
+  return 1.0 - ramp(kFits, kDoesNot, rms_error / typicalNoise(points, sigma));
 }
 
 double unevennessOf(const Sphere& ball, const SeenPoints& seen, double least_noise) {
@@ -121,7 +126,7 @@ double trustInEvenness(const Shape& shape, const SeenPoints& points, const Point
   const Sphere* ball = std::get_if<Sphere>(&shape);
   if (!ball || points.empty()) return 1.0;
   const Bounds& bounds = of_depth_camera ? kOfDepthCameras : kOfOthers;
-  const double least_noise = kLeastNoise * sigma(points.point(points.size() / 2));
+  const double least_noise = kLeastNoise * typicalNoise(points, sigma);
   return 1.0 - ramp(bounds.even, bounds.uneven, unevennessOf(*ball, points, least_noise));
 }
 

@@ -21,8 +21,8 @@ TOKEN = re.compile(r"\brandom_?\s*\.\s*(?P<draw>uniform|gaussian|below|next)\b"
 class Group:
     """What stands between two brackets: how many operands draw since the last thing that keeps an order."""
 
-    def __init__(self, bracket, begin):
-        self.bracket, self.begin = bracket, begin
+    def __init__(self, bracket):
+        self.bracket = bracket
         self.statements = self.draws = self.draws_at_all = False
         self.operands = 0
 
@@ -40,7 +40,7 @@ class Group:
 def places_of(text):
     """Where operands or arguments draw, and no order is kept."""
     text = SILENT.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
-    groups = [Group("{", 0)]
+    groups = [Group("{")]
     for token in TOKEN.finditer(text):
         group = groups[-1]
         letter = token.group("other")
@@ -59,7 +59,7 @@ def places_of(text):
                 yield token.start()
                 group.operands = 0
         elif letter and letter in "([{":
-            groups.append(Group(letter, token.start()))
+            groups.append(Group(letter))
         elif letter and len(groups) > 1:
             if group.keep_order():
                 yield token.start()
