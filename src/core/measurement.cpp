@@ -17,6 +17,7 @@
 #include "core/observed_part.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
+#include "core/standing_end.h"
 #include "core/strip.h"
 #include "kernels/loops.h"
 
@@ -128,6 +129,12 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   return fit;
 }
 
+void Measurement::endOnPlanes(Detection& detection) const {
+  constexpr double kReach = 5.0;  // standard deviations: three make an inlier, and the last hundredth is added to them
+  const double reach = kReach * sigma_(detection.extent.origin);
+  for (const Detection* plane : planes_) endOn(*plane, reach, detection.shape, detection.extent);
+}
+
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                           Detection& detection) {
   points_.gather(cloud_, labelled.index);
@@ -147,6 +154,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
+  endOnPlanes(detection);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));
@@ -161,6 +169,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
+  if (kindOf(detection.shape) == Kind::plane) planes_.push_back(&detection);
 }
 
 }  // namespace primitect

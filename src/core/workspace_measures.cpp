@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "core/bent_part.h"
 #include "core/clear_points.h"
@@ -44,6 +45,15 @@ class HeldExtents {
   List<Vec3> sizes_, corners_;
 };
 
+/// The order in which they are measured: where things stand on is known before they are.
+List<std::size_t> planesFirst(const std::vector<Detection>& items) {
+  List<std::size_t> order(items.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto isPlane = [&items](std::size_t k) { return kindOf(items[k].shape) == Kind::plane; };
+  std::partition(order.begin(), order.end(), isPlane);
+  return order;
+}
+
 }  // namespace
 
 /// What the measures are taken from: the cloud, or of a large list a part of it.
@@ -58,7 +68,7 @@ void Detector::Workspace::thin(const Cloud& whole) {
 void Detector::Workspace::labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs) {
   const HeldExtents of_samples(result.items);
   for (Detection& item : result.items) {
-    if (depth_camera) stretch(stretchOf(item), item.extent);
+    stretch(stretchOf(item), item.extent);
   }
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
   runs = labelRuns(labels);
@@ -184,7 +194,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   const List<bool> enough = areEnough(left, whole);  // and none of what was not kept
   const auto within = [this](std::size_t k) { return !isLine(result.items[k], verification.noise()); };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
-  for (std::size_t k = 0; k < result.items.size(); ++k) {
+  for (const std::size_t k : planesFirst(result.items)) {
     if (!enough[k]) continue;
     const List<std::uint32_t> clear_of_item = clear.of(k, points[k].index);
     ClearPoints::OnSurface on_surface(clear, k, clear_of_item);

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Ends of cans and hats against the table that they stand on.
+#include "core/standing_end.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "test/support/exact_shapes.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kReach = 0.01;     // m
+constexpr double kRounding = 1e-6;  // m: sides of the observed part are in float
+
+/// A table of 0.8 m x 0.8 m, 1 m away, seen from above at an angle.
+const Vec3 kUp = Vec3(0, -0.8, -0.6), kRight = Vec3::UnitX(), kAcross = kUp.cross(kRight), kMiddle = Vec3(0, 0, 1);
+
+Detection table() {
+  Detection plane;
+  plane.shape = Plane{kMiddle, kUp};
+  plane.extent.origin = kMiddle;
+  plane.extent.rotation << kRight, kAcross, kUp;
+  plane.extent.size = Vec3(0.8, 0.8, 0);
+  for (const auto& [u, v] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+    plane.extent.hull.push_back(kMiddle + 0.4 * u * kRight + 0.4 * v * kAcross);
+  }
+  return plane;
+}
+
+/// The axis goes from `from` to `to`; of a cone the first is its narrow end.
+Extent between(const Vec3& from, const Vec3& to, double radius_small, double radius) {
+  Extent extent;
+  extent.origin = 0.5 * (from + to);
+  extent.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), (to - from).normalized()).toRotationMatrix();
+  extent.size.z() = (to - from).norm();
+  extent.radius_small = radius_small, extent.radius = radius;
+  return extent;
+}
+
+Vec3 endOf(const Extent& extent, double side) {
+  return extent.origin + side * 0.5 * extent.size.z() * extent.rotation.col(2);
+}
+
+/// A can of this radius whose axis leaves the table at this place, from `low` to `high` above it (m).
+struct Can {
+  Vec3 foot = kMiddle;
+  double low = -0.006, high = 0.2, radius = 0.04;
+  Vec3 up = kUp;
+  Extent extent() const { return between(foot + low * up, foot + high * up, 0.0, radius); }
+  Cylinder shape() const { return {foot, up, radius}; }
+  Extent ended() const {
+    Extent moved = extent();
+    endOn(table(), kReach, shape(), moved);
+    return moved;
+  }
+};
+
+TEST(StandingEnd, OfACanIsTheTable) {
+  const Extent ended = Can().ended();
+  EXPECT_NEAR(ended.size.z(), 0.2, kRounding);
+  EXPECT_LT((endOf(ended, -1.0) - kMiddle).norm(), kRounding);
+  EXPECT_LT((endOf(ended, 1.0) - (kMiddle + 0.2 * kUp)).norm(), kRounding) << "the other end stays";
+  EXPECT_EQ(ended.radius, 0.04);
+}
+
+TEST(StandingEnd, IsFoundWhicheverWayTheAxisPoints) {
+  Can can;
+  can.up = -kUp, can.low = -0.2, can.high = 0.006;
+  const Extent ended = can.ended();
+  EXPECT_NEAR(ended.size.z(), 0.2, kRounding);
+  EXPECT_LT((endOf(ended, 1.0) - kMiddle).norm(), kRounding);
+}
+
+TEST(StandingEnd, OfATiltedCanIsWhereItsAxisMeetsTheTable) {
+  Can can;
+  can.up = Eigen::AngleAxisd(0.2, kRight) * kUp;
+  const Extent ended = can.ended();
+  EXPECT_NEAR(distance(Plane{kMiddle, kUp}, endOf(ended, -1.0)), 0.0, kRounding);
+  EXPECT_LT((endOf(ended, 1.0) - endOf(can.extent(), 1.0)).norm(), kRounding);
+}
+
+TEST(StandingEnd, StaysWhereNothingSaysThatItStands) {
+  const auto stays = [](const Can& can) { return std::abs(can.ended().size.z() - (can.high - can.low)) < 1e-12; };
+  Can above, through, lying, beside, behind;
+  above.low = 0.003;
+  EXPECT_TRUE(stays(above)) << "before the table";
+  through.low = -1.1 * kReach;
+  EXPECT_TRUE(stays(through)) << "farther behind than noise reaches";
+  lying.up = Eigen::AngleAxisd(0.3, kRight) * kUp;
+  EXPECT_TRUE(stays(lying)) << "17 deg askew";
+  beside.foot = kMiddle + 0.45 * kRight;
+  EXPECT_TRUE(stays(beside)) << "5 cm beside the table";
+  behind.low = -0.009, behind.high = -0.001;
+  EXPECT_TRUE(stays(behind)) << "all of it behind";
+}
+
+TEST(StandingEnd, IsMovedAtTheEdgeOfTheTableToo) {
+  Can at_edge;
+  at_edge.foot = kMiddle + 0.43 * kRight;
+  EXPECT_NEAR(at_edge.ended().size.z(), 0.2, kRounding);
+}
+
+TEST(StandingEnd, OfAConeTakesItsRadiusAlong) {
+  const double half_angle = 0.3, slope = std::tan(half_angle);
+  // Apex up, and apex down: a funnel that stands on its narrow end.
+  const Vec3 apex = kMiddle + 0.2 * kUp;
+  Extent hat = between(apex - 0.02 * kUp, kMiddle - 0.006 * kUp, 0.02 * slope, 0.206 * slope);
+  endOn(table(), kReach, Cone{apex, -kUp, half_angle}, hat);
+  EXPECT_NEAR(hat.radius, 0.2 * slope, kRounding);
+  EXPECT_NEAR(hat.radius_small, 0.02 * slope, kRounding);
+  EXPECT_NEAR(hat.size.z(), 0.18, kRounding);
+  const Vec3 below = kMiddle - 0.1 * kUp;
+  Extent funnel = between(kMiddle - 0.006 * kUp, kMiddle + 0.1 * kUp, 0.094 * slope, 0.2 * slope);
+  endOn(table(), kReach, Cone{below, kUp, half_angle}, funnel);
+  EXPECT_NEAR(funnel.radius_small, 0.1 * slope, kRounding);
+  EXPECT_NEAR(funnel.radius, 0.2 * slope, kRounding);
+  EXPECT_NEAR(funnel.size.z(), 0.1, kRounding);
+}
+
+TEST(StandingEnd, LeavesPlanesAndBallsAsTheyAre) {
+  const Detection plane = table();
+  Extent other = plane.extent;
+  other.origin -= 0.005 * kUp;
+  endOn(plane, kReach, Plane{other.origin, kUp}, other);
+  EXPECT_EQ(other.origin, plane.extent.origin - 0.005 * kUp);
+  Extent ball;
+  ball.origin = kMiddle, ball.radius = 0.05;
+  endOn(plane, kReach, Sphere{kMiddle, 0.05}, ball);
+  EXPECT_EQ(ball.origin, kMiddle);
+}
+
+}  // namespace
+}  // namespace primitect
