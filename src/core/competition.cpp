@@ -21,11 +21,12 @@ bool enabled(Kind kind, const Params& params) {
   return switches[static_cast<std::size_t>(kind)];
 }
 
-/// A tube so thin that the edge of a table, rounded by a depth camera, looks the same.
-bool tooThin(const Shape& shape, double sigma, const NoiseModel& noise) {
+/// A tube so thin that the edge of a table, rounded by a depth camera or by how normals are fitted, looks the same.
+bool tooThin(const Shape& shape, double sigma, const ProposalRules& rules) {
   constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
   const Cylinder* tube = std::get_if<Cylinder>(&shape);
-  return noise.ofDepthCamera() && tube && tube->radius < kLeastRadius * sigma;
+  const bool rounded = rules.noise.ofDepthCamera() || rules.fitted_normals;
+  return rounded && tube && tube->radius < kLeastRadius * sigma;
 }
 
 /// A plane through the camera is seen as a line. What lies in it is one row or column of an image.
@@ -182,7 +183,7 @@ class Fits {
     if (!shape) return std::nullopt;
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
-    if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_.noise)) return false;
+    if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_)) return false;
     if (edgeOn(*shape, points_.middle(), rules_.noise)) return false;
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);

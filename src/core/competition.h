@@ -28,7 +28,8 @@ struct ProposalRules {
   double widen;  ///< times the noise: how far off the shape of a candidate may be
   double reach;  ///< m, of a candidate around its reference
   std::size_t most_fitted = std::numeric_limits<std::size_t>::max();  ///< samples that a fit is made of
-  bool fitted = false;  ///< the hypothesis, to most of the samples, is a good start
+  bool fitted = false;          ///< the hypothesis, to most of the samples, is a good start
+  bool fitted_normals = false;  ///< normals are those of many points each: the edge of a box is as round as a tube
 };
 
 /// The best of all kinds for these samples, as far as their moments promise any; false when none is within the limits

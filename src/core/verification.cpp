@@ -53,7 +53,9 @@ ProposalRules Verification::rules() const {
   const double typical =
       noise_.ofDepthCamera() && samples_.size() > 0 ? noise_.at(samples_.point(samples_.size() / 2)) : noise_.distance;
   const double widen = std::clamp(radiusBin() / (kInlierDeviations * typical), 1.0, kMostWiden);
-  return {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
+  ProposalRules rules = {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
+  rules.fitted_normals = scale_.fitted_normals;
+  return rules;
 }
 
 void Verification::addSamples(Samples samples) {

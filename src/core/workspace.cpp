@@ -200,7 +200,7 @@ void Detector::Workspace::measureScale() {
   // deg are in view: about as little as its curvature needs to be clear (curvature.cpp).
   constexpr double kOfView = 1.5;
   const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
-  verification.begin({result.scene_diameter, depth_camera, result.image_noise, stretch, view_radius});
+  verification.begin({result.scene_diameter, depth_camera, result.image_noise, stretch, view_radius, !brings_normals});
 }
 
 void Detector::Workspace::measureImageNoise(const Cloud& image) {
@@ -233,15 +233,15 @@ void Detector::Workspace::segmentByVotes() {
   describeSegments(segments, all_samples);
 }
 
-/// Normals that the cloud brings may be too poor for its noise: then they are measured anew.
+/// Normals that a list brings, or has from its nearest neighbours, may be too poor for its noise: then they are
+/// measured anew.
 bool Detector::Workspace::improveNormals(const Cloud& cloud) {
   constexpr double kPoor = 0.1, kWanted = 0.05;  // rad, about each axis
   const NoiseModel& noise = verification.noise();
-  const bool own = params.use_cloud_normals && cloud.hasNormals() && !cloud.organized();
   // With all samples noise that could not be measured is strong; with less effort they may just be too few.
   const bool known = verification.noiseMeasured() || effort->share >= 1.0;
   const bool poor = known && noise.angle >= kPoor * kNormalDeviations;
-  if (!params.improve_normals || !own || !poor) return false;
+  if (!params.improve_normals || cloud.organized() || !poor) return false;
   normal_source.neighbor_count = neighborsFor(cloud, samples, noise.distance, kWanted, normal_source);
   estimateNormals(cloud, params, normal_source, samples);
   return true;

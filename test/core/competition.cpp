@@ -100,6 +100,31 @@ TEST(Competition, FindsAThinTubeThatTurnsFar) {
   EXPECT_EQ(winnerOnTube(0.017, 1.0), Kind::cylinder);
 }
 
+/// Whether a quarter of a tube wins, of which noise that is everywhere the same is a fifth of the radius.
+bool isTube(bool fitted_normals) {
+  constexpr double kRadius = 0.01;
+  const NoiseModel noise = {0.2 * kRadius, 0.0, 0.36};
+  const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitX(), kRadius};
+  Random random(84);
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 300; ++i) {
+    points.push_back(test::pointOn(tube, {random.uniform(-0.1, 0.1), random.uniform(0.0, 0.5 * M_PI)}));
+  }
+  const Samples samples = test::samplesWith(noise, test::measured(points, noise.distance, 0.05, random));
+  Hypothesis hypothesis;
+  hypothesis.shape = tube;
+  const Params params;
+  ProposalRules rules = {noise, {params, kLargest}, 1.0, kLargest};
+  rules.fitted_normals = fitted_normals;
+  const bool any = bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rules, hypothesis);
+  return any && kindOf(hypothesis.shape) == Kind::cylinder;
+}
+
+TEST(Competition, TakesNoEdgeForATubeWhereNormalsAreFitted) {
+  EXPECT_TRUE(isTube(false));
+  EXPECT_FALSE(isTube(true));
+}
+
 /// Of a cone of 25 deg, an arc of 80 deg and a fifth of the way to its apex, with noise of 1 mm that is everywhere the
 /// same: normals are off by 7 deg about each axis. Seen from inside: the normals point to the axis.
 struct ConeOnAnArc {

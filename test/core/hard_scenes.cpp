@@ -82,15 +82,14 @@ TEST(Detector, FindsTheInnerWallsOfATubeAndAFunnel) {
   EXPECT_NEAR(std::get<Cone>(funnels[0].shape).half_angle, funnel.half_angle, 0.02);
 }
 
-/// Mean number of shapes found on a table with one of each kind whose normals are off by so much (rad).
-double foundWithNormalsOff(double turn, bool improve) {
-  Params params;
-  params.improve_normals = improve;
+/// Mean number of curved shapes found on a table with one of each kind, with so much noise of points (m) and normals
+/// that are off by so much (rad).
+double foundWith(double noise, double turn, const Params& params) {
   int found = 0;
   for (std::uint64_t seed = 64; seed < 68; ++seed) {
     Random random(seed);
     const std::vector<SurfacePoint> exact = test::tabletop({6000, 2500, 2500, 2500}, random);
-    for (const Detection& d : detected(measured(exact, kNoise, turn, random), params)) {
+    for (const Detection& d : detected(measured(exact, noise, turn, random), params)) {
       const Sphere* ball = std::get_if<Sphere>(&d.shape);
       const Cylinder* can = std::get_if<Cylinder>(&d.shape);
       const Cone* hat = std::get_if<Cone>(&d.shape);
@@ -103,9 +102,42 @@ double foundWithNormalsOff(double turn, bool improve) {
 }
 
 TEST(PoorNormals, OfAnUnorganizedCloudAreMeasuredAnew) {
-  EXPECT_GE(foundWithNormalsOff(0.9, true), 2.75);
-  EXPECT_LT(foundWithNormalsOff(0.9, false), 1.0) << "or the test tells nothing";
+  Params params;
+  EXPECT_GE(foundWith(kNoise, 0.9, params), 2.75);
+  params.improve_normals = false;
+  EXPECT_LT(foundWith(kNoise, 0.9, params), 1.0) << "or the test tells nothing";
 }
+
+TEST(PoorNormals, OfTooFewNeighborsAreMeasuredAnew) {
+  constexpr double kStrong = 0.004;
+  Params params;
+  params.use_cloud_normals = false;
+  params.normal_neighbors = 6;
+  EXPECT_GE(foundWith(kStrong, 0.0, params), 2.75);
+  params.improve_normals = false;
+  EXPECT_LT(foundWith(kStrong, 0.0, params), 1.0) << "or the test tells nothing";
+}
+
+/// Tubes found, in all, on boxes on a table of clouds without normals, with 4 mm of noise.
+std::size_t tubesOnBoxes() {
+  constexpr double kStrong = 0.004, kHalf = 0.06;
+  Params params;
+  params.use_cloud_normals = false;
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    const Vec3 up = kTable.normal, right = Vec3::UnitX(), front = right.cross(up);
+    const Vec3 middle = kTable.point + kHalf * up;
+    std::vector<SurfacePoint> points = patchOf(kTable, 40000, 0.4, random);
+    for (const Vec3& out : {up, right, front}) {
+      points = together({points, patchOf(Plane{middle + kHalf * out, out}, 1500, kHalf, random)});
+    }
+    found += of(Kind::cylinder, detected(measured(points, kStrong, 0.0, random), params)).size();
+  }
+  return found;
+}
+
+TEST(FittedNormals, MakeNoTubesOfTheEdgesOfBoxes) { EXPECT_EQ(tubesOnBoxes(), 0u); }
 
 /// z = depth - height(u, v) of a hill over a square, with its normals; steep parts are as dense as flat ones, seen from
 /// the sensor.
