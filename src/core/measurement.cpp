@@ -12,12 +12,12 @@
 #include "core/bias.h"
 #include "core/coverage.h"
 #include "core/determination.h"
+#include "core/ends_on_faces.h"
 #include "core/extent.h"
 #include "core/misfit.h"
 #include "core/observed_part.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
-#include "core/standing_end.h"
 #include "core/strip.h"
 #include "kernels/loops.h"
 
@@ -129,10 +129,12 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   return fit;
 }
 
-void Measurement::endOnPlanes(Detection& detection) const {
+/// Measured on 80 simulated tables with one, two and three times the noise: cylinders and cones are .7 to 3 mm too long
+/// in the median instead of 2 to 10.
+void Measurement::endOnFaces(Detection& detection) const {
   constexpr double kReach = 5.0;  // standard deviations: three make an inlier, and the last hundredth is added to them
   const double reach = kReach * sigma_(detection.extent.origin);
-  for (const Detection* plane : planes_) endOn(*plane, reach, detection.shape, detection.extent);
+  for (const Detection* face : faces_) endOn(*face, reach, detection.shape, detection.extent);
 }
 
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
@@ -154,7 +156,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
-  endOnPlanes(detection);
+  endOnFaces(detection);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));
@@ -169,7 +171,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
-  if (kindOf(detection.shape) == Kind::plane) planes_.push_back(&detection);
+  const bool likely = detection.confidence >= limits_.params.min_confidence;
+  if (likely && kindOf(detection.shape) == Kind::plane) faces_.push_back(&detection);
 }
 
 }  // namespace primitect

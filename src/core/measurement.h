@@ -41,7 +41,7 @@ class Measurement {
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
   /// the fit. Where the surface is not seen although it should be (seen_share.h), its size is left open
   /// (determination.h) or it is a strip of something else (strip.h, bent_strip.h), confidence goes down. An axis ends
-  /// on the planes that were measured before, where it stands on one (standing_end.h); these must stay where they are.
+  /// on a plane that was measured before, where it comes near to one (ends_on_faces.h); these must stay where they are.
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                Detection& detection);
 
@@ -56,7 +56,7 @@ class Measurement {
   Shape start(const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
-  void endOnPlanes(Detection& detection) const;
+  void endOnFaces(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found);
 
   const Cloud& cloud_;
@@ -66,7 +66,7 @@ class Measurement {
   DepthRange range_;
   PointNoise sigma_;
   TruncationFinder truncation_;
-  List<const Detection*> planes_;  ///< measured so far
+  List<const Detection*> faces_;  ///< likely planes measured so far
   // Of one detection; their memory serves the next.
   SeenPoints points_, outermost_, clear_;
   FitPoints fit_points_;

@@ -45,7 +45,7 @@ class HeldExtents {
   List<Vec3> sizes_, corners_;
 };
 
-/// The order in which they are measured: where things stand on is known before they are.
+/// The order in which they are measured: faces that axes end on are known before them.
 List<std::size_t> planesFirst(const std::vector<Detection>& items) {
   List<std::size_t> order(items.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Ends of cans and hats against the table that they stand on.
-#include "core/standing_end.h"
+// Ends of cans and hats against the table that they stand on, and lids.
+#include "core/ends_on_faces.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ struct Can {
   }
 };
 
-TEST(StandingEnd, OfACanIsTheTable) {
+TEST(EndsOnFaces, OfACanIsTheTable) {
   const Extent ended = Can().ended();
   EXPECT_NEAR(ended.size.z(), 0.2, kRounding);
   EXPECT_LT((endOf(ended, -1.0) - kMiddle).norm(), kRounding);
@@ -67,7 +67,7 @@ TEST(StandingEnd, OfACanIsTheTable) {
   EXPECT_EQ(ended.radius, 0.04);
 }
 
-TEST(StandingEnd, IsFoundWhicheverWayTheAxisPoints) {
+TEST(EndsOnFaces, IsFoundWhicheverWayTheAxisPoints) {
   Can can;
   can.up = -kUp, can.low = -0.2, can.high = 0.006;
   const Extent ended = can.ended();
@@ -75,7 +75,7 @@ TEST(StandingEnd, IsFoundWhicheverWayTheAxisPoints) {
   EXPECT_LT((endOf(ended, 1.0) - kMiddle).norm(), kRounding);
 }
 
-TEST(StandingEnd, OfATiltedCanIsWhereItsAxisMeetsTheTable) {
+TEST(EndsOnFaces, OfATiltedCanIsWhereItsAxisMeetsTheTable) {
   Can can;
   can.up = Eigen::AngleAxisd(0.2, kRight) * kUp;
   const Extent ended = can.ended();
@@ -83,28 +83,48 @@ TEST(StandingEnd, OfATiltedCanIsWhereItsAxisMeetsTheTable) {
   EXPECT_LT((endOf(ended, 1.0) - endOf(can.extent(), 1.0)).norm(), kRounding);
 }
 
-TEST(StandingEnd, StaysWhereNothingSaysThatItStands) {
+TEST(EndsOnFaces, IsTheTableWhereSomeOfTheSideIsMissing) {
+  Can short_of;
+  short_of.low = 0.5 * kReach;
+  const Extent ended = short_of.ended();
+  EXPECT_NEAR(ended.size.z(), 0.2, kRounding);
+  EXPECT_LT((endOf(ended, -1.0) - kMiddle).norm(), kRounding);
+}
+
+TEST(EndsOnFaces, IsTheLidOfWhatIsSeenFromAbove) {
+  // The table is the lid of a pot that goes on below it.
+  for (const double beyond : {0.008, -0.005}) {
+    Can pot;
+    pot.low = -0.3, pot.high = beyond;
+    const Extent ended = pot.ended();
+    EXPECT_NEAR(ended.size.z(), 0.3, kRounding) << beyond;
+    EXPECT_LT((endOf(ended, 1.0) - kMiddle).norm(), kRounding) << beyond;
+    EXPECT_LT((endOf(ended, -1.0) - (kMiddle - 0.3 * kUp)).norm(), kRounding) << beyond;
+  }
+}
+
+TEST(EndsOnFaces, StaysWhereNothingSaysThatItEndsThere) {
   const auto stays = [](const Can& can) { return std::abs(can.ended().size.z() - (can.high - can.low)) < 1e-12; };
-  Can above, through, lying, beside, behind;
-  above.low = 0.003;
-  EXPECT_TRUE(stays(above)) << "before the table";
+  Can above, through, lying, beside, flat;
+  above.low = 0.7 * kReach;
+  EXPECT_TRUE(stays(above)) << "before the table by more than is lost";
   through.low = -1.1 * kReach;
   EXPECT_TRUE(stays(through)) << "farther behind than noise reaches";
   lying.up = Eigen::AngleAxisd(0.3, kRight) * kUp;
   EXPECT_TRUE(stays(lying)) << "17 deg askew";
-  beside.foot = kMiddle + 0.45 * kRight;
-  EXPECT_TRUE(stays(beside)) << "5 cm beside the table";
-  behind.low = -0.009, behind.high = -0.001;
-  EXPECT_TRUE(stays(behind)) << "all of it behind";
+  beside.foot = kMiddle + 0.42 * kRight;
+  EXPECT_TRUE(stays(beside)) << "its axis 2 cm beside the table";
+  flat.low = -0.009, flat.high = 0.009;
+  EXPECT_TRUE(stays(flat)) << "half of it is no noise";
 }
 
-TEST(StandingEnd, IsMovedAtTheEdgeOfTheTableToo) {
+TEST(EndsOnFaces, IsMovedAtTheEdgeOfTheTableToo) {
   Can at_edge;
-  at_edge.foot = kMiddle + 0.43 * kRight;
+  at_edge.foot = kMiddle + 0.405 * kRight;
   EXPECT_NEAR(at_edge.ended().size.z(), 0.2, kRounding);
 }
 
-TEST(StandingEnd, OfAConeTakesItsRadiusAlong) {
+TEST(EndsOnFaces, OfAConeTakesItsRadiusAlong) {
   const double half_angle = 0.3, slope = std::tan(half_angle);
   // Apex up, and apex down: a funnel that stands on its narrow end.
   const Vec3 apex = kMiddle + 0.2 * kUp;
@@ -121,12 +141,13 @@ TEST(StandingEnd, OfAConeTakesItsRadiusAlong) {
   EXPECT_NEAR(funnel.size.z(), 0.1, kRounding);
 }
 
-TEST(StandingEnd, LeavesPlanesAndBallsAsTheyAre) {
+TEST(EndsOnFaces, LeavesPlanesAndBallsAsTheyAre) {
   const Detection plane = table();
   Extent other = plane.extent;
   other.origin -= 0.005 * kUp;
+  const Vec3 before = other.origin;
   endOn(plane, kReach, Plane{other.origin, kUp}, other);
-  EXPECT_EQ(other.origin, plane.extent.origin - 0.005 * kUp);
+  EXPECT_EQ(other.origin, before);
   Extent ball;
   ball.origin = kMiddle, ball.radius = 0.05;
   endOn(plane, kReach, Sphere{kMiddle, 0.05}, ball);

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Ends of axes against planes; see ends_on_faces.h.
+#include "core/ends_on_faces.h"
+
+#include <cmath>
+
+#include "core/observed_part.h"
+
+namespace primitect {
+namespace {
+
+bool holds(const Detection& plane, const Vec3& place, double margin) {
+  const Eigen::Vector3f p = place.cast<float>();
+  return ObservedPart(plane.shape, plane.extent).holds(p.x(), p.y(), p.z(), static_cast<float>(margin));
+}
+
+/// side: 1 for the end that the axis points to, -1 for the other one.
+void lengthen(double by, double side, const Shape& shape, Extent& extent) {
+  extent.size.z() += by;
+  extent.origin += 0.5 * side * by * extent.rotation.col(2);
+  const Cone* cone = std::get_if<Cone>(&shape);
+  if (cone) (side > 0.0 ? extent.radius : extent.radius_small) += side * by * std::tan(cone->half_angle);
+}
+
+}  // namespace
+
+void endOn(const Detection& plane, double reach, const Shape& shape, Extent& extent) {
+  constexpr double kLeastCosine = 0.966;  // 15 deg
+  constexpr double kReachBefore = 0.6;    // with more, hidden ends come to faces that they are not on
+  constexpr double kMostOfLength = 0.5;
+  const Kind kind = kindOf(shape);
+  if (kind != Kind::cylinder && kind != Kind::cone) return;
+  const Plane& face = std::get<Plane>(plane.shape);
+  const Vec3 axis = extent.rotation.col(2);
+  const double cosine = face.normal.dot(axis);
+  if (std::abs(cosine) < kLeastCosine) return;
+  for (const double side : {-1.0, 1.0}) {
+    const double half = 0.5 * extent.size.z();
+    const double along = (face.point - extent.origin).dot(face.normal) / cosine;  // from the origin to the face
+    const double longer = side * along - half;
+    const bool near = longer > -reach && longer < kReachBefore * reach;
+    if (!near || std::abs(longer) > kMostOfLength * half) continue;
+    // What stands on a face, or ends with it, has its axis on it, as well as its outline is known.
+    if (holds(plane, extent.origin + along * axis, reach)) lengthen(longer, side, shape, extent);
+  }
+}
+
+}  // namespace primitect
