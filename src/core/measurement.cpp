@@ -129,8 +129,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   return fit;
 }
 
-/// Measured on 80 simulated tables with one, two and three times the noise: cylinders and cones are .7 to 3 mm too long
-/// in the median instead of 2 to 10.
+/// Without it cylinders and cones on tables are 2.6 mm too long in the median, with three times the noise 9.1.
 void Measurement::endOnFaces(Detection& detection) const {
   constexpr double kReach = 5.0;  // standard deviations: three make an inlier, and the last hundredth is added to them
   const double reach = kReach * sigma_(detection.extent.origin);

@@ -16,9 +16,10 @@ struct TableFrame {
   Cloud cloud;
   Detections found;
 
-  explicit TableFrame(std::uint64_t seed) {
+  explicit TableFrame(std::uint64_t seed, double noise_scale = 1.0) {
     const synthetic::PinholeCamera camera;
-    const synthetic::FrameParams params;
+    synthetic::FrameParams params;
+    params.noise.scale = noise_scale;
     frame = renderFrame(synthetic::clutteredTable(seed), camera, synthetic::clutterPose(seed), params, seed, 0);
     cloudFromDepth(frame.depth, camera, params.truth.range, cloud);
     Detector detector{Params()};
