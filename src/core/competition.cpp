@@ -22,10 +22,11 @@ bool enabled(Kind kind, const Params& params) {
 }
 
 /// A tube so thin that the edge of a table, rounded by a depth camera or by how normals are fitted, looks the same.
-bool tooThin(const Shape& shape, double sigma, const ProposalRules& rules) {
+bool tooThin(const Shape& shape, const Moments& moments, double sigma, const ProposalRules& rules) {
   constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
+  constexpr double kOfEdge = 0.8;       // length of the mean normal: over a right angle .9, over half a turn .64
   const Cylinder* tube = std::get_if<Cylinder>(&shape);
-  const bool rounded = rules.noise.ofDepthCamera() || rules.fitted_normals;
+  const bool rounded = rules.noise.ofDepthCamera() || (rules.fitted_normals && moments.mean_normal.norm() > kOfEdge);
   return rounded && tube && tube->radius < kLeastRadius * sigma;
 }
 
@@ -183,7 +184,7 @@ class Fits {
     if (!shape) return std::nullopt;
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
-    if (!rules_.limits.hold(*shape) || tooThin(*shape, points_.meanSigma(), rules_)) return false;
+    if (!rules_.limits.hold(*shape) || tooThin(*shape, moments_, points_.meanSigma(), rules_)) return false;
     if (edgeOn(*shape, points_.middle(), rules_.noise)) return false;
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);

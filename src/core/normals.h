@@ -21,7 +21,8 @@ struct NormalSource {
   std::optional<ImageRays> rays;    ///< of the organized cloud
   std::optional<PixelPitch> pitch;  ///< the same
   double noise_scale = 1.0;         ///< of the image, times axialNoise()
-  int neighbor_count = 0;           ///< above 0: measured from so many neighbours even where the cloud brings normals
+  int neighbor_count =
+      0;  ///< above 0: measured anew from so many neighbours, instead of the cloud's own or normal_neighbors
 
   void reset() { *this = {}; }
 };

@@ -54,7 +54,7 @@ ProposalRules Verification::rules() const {
       noise_.ofDepthCamera() && samples_.size() > 0 ? noise_.at(samples_.point(samples_.size() / 2)) : noise_.distance;
   const double widen = std::clamp(radiusBin() / (kInlierDeviations * typical), 1.0, kMostWiden);
   ProposalRules rules = {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
-  rules.fitted_normals = scale_.fitted_normals;
+  rules.fitted_normals = scale_.fitted_normals && noise_measured_;
   return rules;
 }
 
@@ -68,6 +68,7 @@ void Verification::addSamples(Samples samples) {
 }
 
 void Verification::measureNoise(Samples samples, const List<Candidate>& candidates) {
+  noise_measured_ = false;
   noise_ = largestNoise(scale_, params_);
   applyNoise(noise_, samples);
   const std::optional<NoiseModel> measured = primitect::measureNoise(samples, candidates, rules());

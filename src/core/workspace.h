@@ -118,6 +118,7 @@ struct Detector::Workspace {
   List<std::size_t> countPoints(const List<LabelRun>& runs) const;
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
   Vec3 stretchOf(const Detection& item) const;
+  double stretchOfAxis(const Detection& item) const;
   void labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs);
   void giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
   template <class PartAt>

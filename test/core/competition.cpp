@@ -100,15 +100,15 @@ TEST(Competition, FindsAThinTubeThatTurnsFar) {
   EXPECT_EQ(winnerOnTube(0.017, 1.0), Kind::cylinder);
 }
 
-/// Whether a quarter of a tube wins, of which noise that is everywhere the same is a fifth of the radius.
-bool isTube(bool fitted_normals) {
+/// Whether so much (rad) of a tube wins, with noise that is everywhere the same, a fifth of the radius.
+bool isTube(double arc, bool fitted_normals) {
   constexpr double kRadius = 0.01;
   const NoiseModel noise = {0.2 * kRadius, 0.0, 0.36};
   const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitX(), kRadius};
   Random random(84);
   std::vector<test::SurfacePoint> points;
   for (int i = 0; i < 300; ++i) {
-    points.push_back(test::pointOn(tube, {random.uniform(-0.1, 0.1), random.uniform(0.0, 0.5 * M_PI)}));
+    points.push_back(test::pointOn(tube, {random.uniform(-0.1, 0.1), random.uniform(0.0, arc)}));
   }
   const Samples samples = test::samplesWith(noise, test::measured(points, noise.distance, 0.05, random));
   Hypothesis hypothesis;
@@ -121,8 +121,9 @@ bool isTube(bool fitted_normals) {
 }
 
 TEST(Competition, TakesNoEdgeForATubeWhereNormalsAreFitted) {
-  EXPECT_TRUE(isTube(false));
-  EXPECT_FALSE(isTube(true));
+  EXPECT_TRUE(isTube(0.5 * M_PI, false));
+  EXPECT_FALSE(isTube(0.5 * M_PI, true)) << "as round as the edge of a box";
+  EXPECT_TRUE(isTube(M_PI, true)) << "no edge turns that far";
 }
 
 /// Of a cone of 25 deg, an arc of 80 deg and a fifth of the way to its apex, with noise of 1 mm that is everywhere the

@@ -13,8 +13,8 @@
 namespace primitect {
 namespace {
 
-constexpr double kReach = 0.01;     // m
-constexpr double kRounding = 1e-6;  // m: sides of the observed part are in float
+constexpr double kReach = 0.01;      // m
+constexpr double kRounding = 1e-12;  // m
 
 /// A table of 0.8 m x 0.8 m, 1 m away, seen from above at an angle.
 const Vec3 kUp = Vec3(0, -0.8, -0.6), kRight = Vec3::UnitX(), kAcross = kUp.cross(kRight), kMiddle = Vec3(0, 0, 1);
@@ -81,6 +81,14 @@ TEST(EndsOnFaces, OfATiltedCanIsWhereItsAxisMeetsTheTable) {
   const Extent ended = can.ended();
   EXPECT_NEAR(distance(Plane{kMiddle, kUp}, endOf(ended, -1.0)), 0.0, kRounding);
   EXPECT_LT((endOf(ended, 1.0) - endOf(can.extent(), 1.0)).norm(), kRounding);
+}
+
+TEST(EndsOnFaces, OfACanBelowAShelfIsTheShelf) {
+  Can hanging;
+  hanging.low = -0.2, hanging.high = 0.006;
+  const Extent ended = hanging.ended();
+  EXPECT_NEAR(ended.size.z(), 0.2, kRounding);
+  EXPECT_LT((endOf(ended, 1.0) - kMiddle).norm(), kRounding);
 }
 
 TEST(EndsOnFaces, IsTheTableWhereSomeOfTheSideIsMissing) {

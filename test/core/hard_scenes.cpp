@@ -137,6 +137,20 @@ std::size_t tubesOnBoxes() {
   return found;
 }
 
+TEST(FittedNormals, DoNotHideAPipeWithNothingAroundIt) {
+  // As much of it is seen as of an edge, and it is thinner than what is taken for edges before the noise is measured.
+  Params params;
+  params.use_cloud_normals = false;
+  const Cylinder pipe = {Vec3(0, 0.2, -1.5), Vec3::UnitX(), 0.02};  // behind the origin: no image
+  const auto isInFront = [](const SurfacePoint& p) { return -p.normal.dot(p.point) > 0.6 * p.point.norm(); };
+  Random random(65);
+  const auto points = test::somePointsOf(pipe, 6000, -0.5, 0.5, random, isInFront);
+  const auto found = detected(measured(points, 0.002, 0.0, random), params);
+  ASSERT_FALSE(found.empty());
+  ASSERT_EQ(kindOf(found[0].shape), Kind::cylinder);
+  EXPECT_NEAR(std::get<Cylinder>(found[0].shape).radius, pipe.radius, 0.001);
+}
+
 TEST(FittedNormals, MakeNoTubesOfTheEdgesOfBoxes) { EXPECT_EQ(tubesOnBoxes(), 0u); }
 
 /// z = depth - height(u, v) of a hill over a square, with its normals; steep parts are as dense as flat ones, seen from

@@ -150,6 +150,29 @@ TEST(Verification, ForgetsTheLastFrame) {
   }
 }
 
+TEST(Verification, MeasuresTheNoiseOfAThinTubeThatItDoesNotTakeForAnEdgeBeforeItKnows) {
+  // Of 20 mm, 100 deg of it: thinner than 6.5 times the noise that is expected before it is measured, 5 mm.
+  constexpr double kTurn = 0.05;
+  const Cylinder tube = {Vec3(0, 0, 1), Vec3::UnitX(), 0.02};
+  Random random(99);
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 300; ++i) {
+    points.push_back(test::pointOn(tube, {random.uniform(-0.2, 0.2), random.uniform(0.0, 100.0 * test::kDegree)}));
+  }
+  points = test::measured(points, test::kNoise, kTurn, random);
+  FrameScale scale;
+  scale.fitted_normals = true;
+  Verification verification{Params()};
+  for (int time = 0; time < 2; ++time) {  // the second time it knew
+    verification.begin(scale);
+    for (int k = 0; k < 2; ++k) {
+      verification.measureNoise(test::samplesOf(points), {test::candidate(tube, points[0], 9.0)});
+      ASSERT_TRUE(verification.noiseMeasured());
+      EXPECT_NEAR(verification.noise().distance, test::kNoise, 0.2 * test::kNoise);
+    }
+  }
+}
+
 TEST(Verification, SplitsPartsThatLieInNearlyTheSamePlane) {
   // 8 mm between them, 40 cm apart: at the noise that is expected before it is measured, 5 mm, they are one.
   Random random(94);
