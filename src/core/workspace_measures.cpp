@@ -151,7 +151,8 @@ List<bool> Detector::Workspace::areEnough(const List<std::size_t>& all, const Cl
 /// Samples end before the surface does, at the tip of a cone by a fifth of its length, at the corner of a plane by more
 /// than they are apart: points are looked for beyond. But where that is much of a plane, of few samples or narrow, what
 /// lies beside it would count as its own: .2 % less of what is found on 280 tables was right, and the front of a flat
-/// box, 28 mm high, tilted by 3 deg towards the table.
+/// box, 28 mm high, tilted by 3 deg towards the table. Nor are planes of lists longer than samples saw them: of 100
+/// unevenly dense scenes and mechanical parts .1 to .2 % less of what is found was right.
 Vec3 Detector::Workspace::stretchOf(const Detection& item) const {
   constexpr double kSpacings = 0.3;             // of samples, on each side of a plane
   constexpr double kMost = 0.2;                 // of a plane's width or length: with more it stays as it is
@@ -159,7 +160,7 @@ Vec3 Detector::Workspace::stretchOf(const Detection& item) const {
   const Kind kind = kindOf(item.shape);
   Vec3 factors = Vec3::Ones();
   if (kind == Kind::cylinder || kind == Kind::cone) factors.z() = stretchOfAxis(item);
-  if (kind != Kind::plane || item.inlier_count < kEnoughSamples) return factors;
+  if (!depth_camera || kind != Kind::plane || item.inlier_count < kEnoughSamples) return factors;
   const Eigen::Vector2d size = item.extent.size.head<2>();
   const double more = 2.0 * kSpacings * std::sqrt(size.prod() / item.inlier_count);
   for (int k = 0; k < 2; ++k) {
