@@ -56,6 +56,7 @@ class Measurement {
   Shape start(const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
+  double leaveOutThinEnds(const Shape& shape);
   void endOnFaces(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found);
 

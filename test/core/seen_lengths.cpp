@@ -122,7 +122,6 @@ TEST(SeenLengths, InListsDoNotGoOnWhereACanTouchesTheTable) {
     const auto lengths =
         lengthsIn(test::together({table, test::patchOf(can, 4000, -0.1, 0.1, random)}), kNoise, random);
     ASSERT_EQ(lengths.count(Kind::cylinder), 1u) << seed;
-    // Looked for a quarter of the length beyond either end, as in depth frames: 20 to 70 mm more.
     EXPECT_NEAR(lengths.at(Kind::cylinder), 0.2, 0.01) << seed;
   }
 }
