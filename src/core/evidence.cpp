@@ -130,4 +130,11 @@ double confidenceOf(Kind kind, const Evidence& evidence) {
   return leavesTheBall(kind, evidence) ? std::min(confidence, kHardly) : confidence;
 }
 
+void takeShare(double share, Detection& part) {
+  const Kind kind = kindOf(part.shape);
+  const double of_all = confidenceOf(kind, part.evidence);
+  part.evidence.inliers *= static_cast<float>(share);
+  if (of_all > 0.0) part.confidence *= static_cast<float>(confidenceOf(kind, part.evidence) / of_all);
+}
+
 }  // namespace primitect

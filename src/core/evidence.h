@@ -23,4 +23,7 @@ Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const 
 /// simulated scenes whose truth is known (eval/calibrate).
 double confidenceOf(Kind kind, const Evidence& evidence);
 
+/// Of the samples that spoke for all of a shape this share is the part's.
+void takeShare(double share, Detection& part);
+
 }  // namespace primitect

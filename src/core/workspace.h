@@ -21,6 +21,7 @@
 #include "core/spare_outlines.h"
 #include "core/thinned_image.h"
 #include "core/thinned_list.h"
+#include "core/tube_gaps.h"
 #include "core/verification.h"
 #include "primitect/detector.h"
 
@@ -81,6 +82,11 @@ struct Detector::Workspace {
   /// A detection for every face, where several lie in one plane and are seen to be apart.
   void takeFacesApart(const Cloud& whole, List<LabelRun>& runs);
 
+  // Then: workspace_tubes.cpp.
+
+  /// A detection for every thing of one radius on one axis, where they are seen to be apart.
+  void takeTubesApart(const Cloud& whole, const ImageRays& rays, List<LabelRun>& runs);
+
   /// Of such faces that were measured.
   void distrustUnevenFaces(const List<bool>& measured);
 
@@ -113,7 +119,7 @@ struct Detector::Workspace {
   };
 
   void thin(const Cloud& whole);
-  void findPoints(const Cloud& whole);
+  void findPoints(const Cloud& whole, const ImageRays& rays);
   void gatherPoints(const List<LabelRun>& runs);
   List<std::size_t> countPoints(const List<LabelRun>& runs) const;
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
@@ -124,7 +130,8 @@ struct Detector::Workspace {
   template <class PartAt>
   void relabel(const List<LabelRun>& runs, std::uint32_t before, const List<std::uint32_t>& label_of,
                const PartAt& partAt);
-  std::uint32_t addPart(const Plane& plane, std::size_t of);
+  std::uint32_t addPart(const Shape& shape, std::size_t of);
+  bool giveToParts(const List<AxisPart>& parts, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
   void giveToFaces(const PlaneInImage& plane, const List<LabelRun>& runs);
@@ -164,7 +171,7 @@ struct Detector::Workspace {
   Detections result;
 };
 
-/// Points of a plane that was taken apart: those that partAt(index) says are of part k get label_of[k], others, for
+/// Points of a shape that was taken apart: those that partAt(index) says are of part k get label_of[k], others, for
 /// which it is negative, none.
 template <class PartAt>
 void Detector::Workspace::relabel(const List<LabelRun>& runs, std::uint32_t before, const List<std::uint32_t>& label_of,

@@ -16,13 +16,6 @@ namespace {
 /// To be left over of a plane that is taken apart: a share of its pixels.
 constexpr double kMuch = 0.1;
 
-/// Of the samples that spoke for all of a plane this share is the face's.
-void takeShare(double share, Detection& face) {
-  const double of_all = confidenceOf(Kind::plane, face.evidence);
-  face.evidence.inliers *= static_cast<float>(share);
-  face.confidence *= static_cast<float>(confidenceOf(Kind::plane, face.evidence) / of_all);
-}
-
 }  // namespace
 
 /// Those of the planes (index of the detection) that are kept, in the image.

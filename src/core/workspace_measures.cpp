@@ -84,7 +84,7 @@ void Detector::Workspace::labelStretched(Labeling& of_cloud, const Cloud& whole,
 }
 
 /// Points of each shape, within its part and around it.
-void Detector::Workspace::findPoints(const Cloud& whole) {
+void Detector::Workspace::findPoints(const Cloud& whole, const ImageRays& rays) {
   List<LabelRun> runs;
   labelStretched(thinned.thinned() ? labeling_of_thinned : labeling, whole, runs);
   const Cloud& cloud = thinned.cloud();
@@ -99,6 +99,7 @@ void Detector::Workspace::findPoints(const Cloud& whole) {
   gatherPoints(runs);
   takeTopsApart(whole, runs);
   takeFacesApart(whole, runs);
+  takeTubesApart(whole, rays, runs);
 }
 
 void Detector::Workspace::gatherPoints(const List<LabelRun>& runs) {
@@ -108,15 +109,15 @@ void Detector::Workspace::gatherPoints(const List<LabelRun>& runs) {
   for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
 }
 
-/// A detection of a part that was taken from the plane of another one. Returns its label.
-std::uint32_t Detector::Workspace::addPart(const Plane& plane, std::size_t of) {
+/// A detection of a part that was taken from another one. Returns its label.
+std::uint32_t Detector::Workspace::addPart(const Shape& shape, std::size_t of) {
   Detection& item = result.items[of];
   std::vector<Vec3> outline;
   std::swap(outline, item.extent.hull);  // a copy would not be the frame's
   Detection part = item;
   std::swap(outline, item.extent.hull);
-  part.shape = plane;
-  part.extent.hull = spare_outlines.take(Kind::plane);
+  part.shape = shape;
+  part.extent.hull = spare_outlines.take(kindOf(shape));
   result.items.push_back(std::move(part));
   kept.push_back(true);
   far_sides.push_back(false);
@@ -193,12 +194,12 @@ void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
-  findPoints(whole);
+  // Pixels of a projected image are not where a camera's were.
+  const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
+  findPoints(whole, rays);
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
   const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), rangeOf(params));
-  // Pixels of a projected image are not where a camera's were.
-  const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
   Measurement measurement(cloud, rays, params, {verification.noise(), verification.fullNoise()}, verification.limits());
   List<std::size_t> left;
   for (const LabelledPoints& of_item : points) left.push_back(of_item.all);

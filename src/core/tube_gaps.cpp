@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Lengths without points, and what the image shows there; see tube_gaps.h.
+#include "core/tube_gaps.h"
+
+#include <algorithm>
+
+#include "core/float_range.h"
+#include "core/seen_share.h"
+
+namespace primitect {
+namespace {
+
+/// Lengths without any of these heights, of at least this much (m), in rising order.
+List<AxisPart> emptyLengths(const List<float>& heights, float least) {
+  constexpr std::size_t kPieces = 128;
+  const FloatRange range(heights.data(), heights.size());
+  const float piece = (range.high - range.low) / static_cast<float>(kPieces);
+  List<AxisPart> empty;
+  if (!(piece > 0.0f)) return empty;
+  bool any[kPieces] = {};
+  for (const float height : heights) {
+    any[std::min(kPieces - 1, static_cast<std::size_t>((height - range.low) / piece))] = true;
+  }
+  for (std::size_t first = 0; first < kPieces; ++first) {
+    if (any[first]) continue;
+    std::size_t end = first;
+    while (!any[end]) ++end;  // the last holds the highest
+    const AxisPart length = {range.low + static_cast<float>(first) * piece,
+                             range.low + static_cast<float>(end) * piece};
+    if (length.high - length.low >= least) empty.push_back(length);
+    first = end;
+  }
+  return empty;
+}
+
+Detection shortened(const Detection& tube, const AxisPart& part) {
+  Detection result;
+  result.shape = tube.shape;
+  result.concave = tube.concave;
+  result.extent.rotation = tube.extent.rotation;
+  result.extent.radius = tube.extent.radius;
+  result.extent.origin = tube.extent.origin + 0.5 * (part.low + part.high) * tube.extent.rotation.col(2);
+  result.extent.size.z() = part.high - part.low;
+  return result;
+}
+
+}  // namespace
+
+List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const Cloud& image,
+                           const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+  constexpr float kLeast = 0.015f;    // m
+  constexpr float kMiddle = 0.8f;     // of the gap: at its ends noise leaves points of what ends there
+  constexpr double kMostSeen = 0.25;  // of the surface in the gap
+  List<float> heights(pixels.size());
+  for (std::size_t k = 0; k < pixels.size(); ++k) heights[k] = heightOn(tube, image, pixels[k]);
+  if (heights.empty()) return {};
+  const FloatRange all(heights.data(), heights.size());
+  List<AxisPart> parts = {{all.low, all.high}};
+  for (const AxisPart& gap : emptyLengths(heights, kLeast)) {
+    const float length = gap.high - gap.low, trim = 0.5f * (1.0f - kMiddle) * length;
+    List<std::uint32_t> beside;  // where the image is asked: in the box around them
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      if (AxisPart{gap.low - length, gap.high + length}.holds(heights[k])) beside.push_back(pixels[k]);
+    }
+    const Detection in_gap = shortened(tube, {gap.low + trim, gap.high - trim});
+    if (seenShare(in_gap, beside, image, rays, range, sigma) > kMostSeen) continue;
+    parts.back().high = gap.low;
+    parts.push_back({gap.high, all.high});
+  }
+  return parts;
+}
+
+}  // namespace primitect

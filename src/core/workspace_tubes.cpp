@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Things of one radius on one axis, each a detection of its own; see workspace.h.
+#include <algorithm>
+
+#include "core/evidence.h"
+#include "core/measurement.h"
+#include "core/tube_gaps.h"
+#include "core/workspace.h"
+
+namespace primitect {
+namespace {
+
+void keepTo(const AxisPart& part, Detection& tube) {
+  tube.extent.origin += 0.5 * (part.low + part.high) * tube.extent.rotation.col(2);
+  tube.extent.size.z() = part.high - part.low;
+}
+
+}  // namespace
+
+/// The first part that has enough points keeps the label, each other one gets one of its own. Parts with fewer are of
+/// nothing. False: none has enough, and it stays as it is.
+bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t of, const Cloud& whole,
+                                      const List<LabelRun>& runs) {
+  const Cloud& cloud = thinned.cloud();
+  const Detection tube = result.items[of];  // has no outline
+  const auto partAt = [&](std::uint32_t i) {
+    const float height = heightOn(tube, cloud, i);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (parts[k].holds(height)) return static_cast<int>(k);
+    }
+    return -1;
+  };
+  List<std::size_t> counts(parts.size(), 0);
+  for (const std::uint32_t i : points[of].index) {
+    const int part = partAt(i);
+    if (part >= 0) ++counts[static_cast<std::size_t>(part)];
+  }
+  const auto least = static_cast<double>(fewestPoints(kindOf(tube.shape), whole));
+  const auto all = static_cast<double>(points[of].all), seen = static_cast<double>(points[of].index.size());
+  const auto isEnough = [&](std::size_t count) { return all * static_cast<double>(count) >= least * seen; };
+  const auto kept_parts = std::count_if(counts.begin(), counts.end(), isEnough);
+  const auto before = static_cast<std::uint32_t>(of + 1);
+  List<std::uint32_t> label_of(parts.size(), 0);
+  bool any = false;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (!isEnough(counts[k])) continue;
+    label_of[k] = any ? addPart(tube.shape, of) : before;
+    any = true;
+    Detection& item = result.items[label_of[k] - 1];
+    item = tube;
+    keepTo(parts[k], item);
+    // What speaks for the only one is not less for some crumbs beside it.
+    if (kept_parts > 1) takeShare(static_cast<double>(counts[k]) / seen, item);
+  }
+  if (any) relabel(runs, before, label_of, partAt);
+  return any;
+}
+
+void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& rays, List<LabelRun>& runs) {
+  if (!depth_camera || !rays.known) return;
+  const PointNoise sigma(verification.fullNoise());
+  const DepthRange range = rangeOf(params);
+  bool any = false;
+  for (std::size_t k = 0, count = result.items.size(); k < count; ++k) {
+    const Kind kind = kindOf(result.items[k].shape);
+    if (!kept[k] || (kind != Kind::cylinder && kind != Kind::cone)) continue;
+    const List<AxisPart> parts = partsOfTube(result.items[k], points[k].index, thinned.cloud(), rays, range, sigma);
+    if (parts.size() > 1 && giveToParts(parts, k, whole, runs)) any = true;
+  }
+  if (!any) return;
+  runs = labelRuns(labels);
+  gatherPoints(runs);
+}
+
+}  // namespace primitect
