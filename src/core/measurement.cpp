@@ -122,7 +122,11 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   // Beyond what samples saw of an axis points of other surfaces are among them, which no image tells apart: of the
   // paper's scenes NEES of cones was 1.22 with them, of cylinders 1.10, without 1.13 and 1.02.
   const bool of_axis = kindOf(found.shape) == Kind::cylinder || kindOf(found.shape) == Kind::cone;
-  if (of_axis && !noise_.ofDepthCamera()) clear_ = within(ObservedPart(found.shape, found.extent), clear_, tolerated_);
+  if (of_axis && !noise_.ofDepthCamera()) {
+    constexpr std::size_t kFewest = 100, kLeastPart = 4;  // as of clear points
+    SeenPoints seen = within(ObservedPart(found.shape, found.extent), clear_, tolerated_);
+    if (seen.size() >= kFewest && kLeastPart * seen.size() >= clear_.size()) clear_ = std::move(seen);
+  }
   Fit fit = {fittedToClear(from), 1.0};
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/observed_part.h"
 #include "core/ramp.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr double kNoTrust = 0.75, kFullTrust = 0.9;
 
 /// What the image shows where the surface should be.
-enum class Sight { surface, other, unknown };
+enum class Sight { surface, behind, other, unknown };
 
 /// Looks at single pixels.
 class Looking {
@@ -33,7 +34,9 @@ class Looking {
     if (nearBound(expected, sigma)) return Sight::unknown;
     if (!cloud_.valid(i)) return inHole(column, row, expected, sigma) ? Sight::other : Sight::unknown;
     if (hides(i, expected, sigma)) return Sight::unknown;
-    return std::abs(cloud_.z[i] - expected.z()) < kOnSurface * sigma ? Sight::surface : Sight::other;
+    const double away = cloud_.z[i] - expected.z();
+    if (std::abs(away) < kOnSurface * sigma) return Sight::surface;
+    return away > 0.0 ? Sight::behind : Sight::other;
   }
 
  private:
@@ -140,10 +143,11 @@ bool faces(const T& shape, bool concave, const Vec3& point) {
 
 /// How much of what was looked for was seen.
 struct Count {
-  std::size_t surface = 0, other = 0;
+  std::size_t surface = 0, behind = 0, other = 0;
 
-  std::size_t asked() const { return surface + other; }
-  double share() const { return static_cast<double>(surface) / static_cast<double>(asked()); }
+  std::size_t asked() const { return surface + behind + other; }
+  double of(std::size_t some) const { return static_cast<double>(some) / static_cast<double>(asked()); }
+  double share() const { return of(surface); }
   bool enough() const {
     constexpr std::size_t kFewest = 100;  // a share of 0.9 is then known to 0.03
     return asked() >= kFewest;
@@ -164,8 +168,8 @@ struct Count {
 };
 
 template <class T>
-double shareOf(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-               const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+Count countOn(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+              const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
   constexpr double kProbes = 2000.0;  // of the box: even a tube across it gets some hundred
   const ObservedPart part(detection.shape, detection.extent);
   const Looking looking(cloud, rays, range, sigma);
@@ -185,22 +189,38 @@ double shareOf(const T& shape, const Detection& detection, const List<std::uint3
     if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
     const Sight sight = looking.at(column, row, point);
     count.surface += sight == Sight::surface ? 1 : 0;
+    count.behind += sight == Sight::behind ? 1 : 0;
     count.other += sight == Sight::other ? 1 : 0;
   };
   Box(pixels, cloud.width).forPlaces(kProbes, lookAt, [&count] { return count.settled(); });
-  return count.enough() ? count.share() : 1.0;
+  return count;
+}
+
+/// Nothing for other kinds, and where there are too few places to tell.
+std::optional<Count> countAt(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+                             const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+  if (!rays.known || pixels.empty()) return std::nullopt;
+  Count count;
+  if (const Cylinder* tube = std::get_if<Cylinder>(&detection.shape)) {
+    count = countOn(*tube, detection, pixels, cloud, rays, range, sigma);
+  } else if (const Cone* cone = std::get_if<Cone>(&detection.shape)) {
+    count = countOn(*cone, detection, pixels, cloud, rays, range, sigma);
+  }
+  return count.enough() ? std::optional<Count>(count) : std::nullopt;
 }
 
 }  // namespace
 
 double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                  const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
-  if (!rays.known || pixels.empty()) return 1.0;
-  if (const Cylinder* tube = std::get_if<Cylinder>(&detection.shape))
-    return shareOf(*tube, detection, pixels, cloud, rays, range, sigma);
-  if (const Cone* cone = std::get_if<Cone>(&detection.shape))
-    return shareOf(*cone, detection, pixels, cloud, rays, range, sigma);
-  return 1.0;
+  const std::optional<Count> count = countAt(detection, pixels, cloud, rays, range, sigma);
+  return count ? count->share() : 1.0;
+}
+
+double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+                   const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+  const std::optional<Count> count = countAt(detection, pixels, cloud, rays, range, sigma);
+  return count ? count->of(count->behind) : 0.0;
 }
 
 double trustInShare(double seen_share) { return ramp(kNoTrust, kFullTrust, seen_share); }

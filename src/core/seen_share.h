@@ -23,6 +23,11 @@ namespace primitect {
 double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                  const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 
+/// Of the same places, the share at which the image shows what lies clearly behind the surface; 0 where there are too
+/// few to tell, and where seenShare() is 1 for all shapes. What is a little nearer, or a hole, is not behind.
+double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+                   const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+
 /// What is left of the confidence in a shape of which only this share is seen. Real tubes and cups of recorded frames
 /// are seen to 0.9 and more in spite of the holes of glossy surfaces; what was taken for one in clutter seldom to 0.85.
 double trustInShare(double seen_share);

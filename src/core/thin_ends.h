@@ -9,8 +9,9 @@
 namespace primitect {
 
 /// Where a tube touches a table along a line, points of the table there are as good as its own, as far as the table
-/// goes. The points without those beyond either end where fewer than a quarter lie on a length of what lies on it where
-/// most are; gaps between are no ends. All of fewer than 64 points.
+/// goes. The points without those at either end where a length holds fewer than a quarter of what as long a length
+/// around the usual point (the median one, by how many are around it) holds; gaps between are no ends. All of fewer
+/// than 64.
 SeenPoints withoutThinEnds(const Cylinder& cylinder, const SeenPoints& points);
 
 }  // namespace primitect

@@ -49,9 +49,9 @@ Detection shortened(const Detection& tube, const AxisPart& part) {
 
 List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const Cloud& image,
                            const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
-  constexpr float kLeast = 0.015f;    // m
-  constexpr float kMiddle = 0.8f;     // of the gap: at its ends noise leaves points of what ends there
-  constexpr double kMostSeen = 0.25;  // of the surface in the gap
+  constexpr float kLeast = 0.015f;  // m
+  constexpr float kMiddle = 0.8f;   // of the gap: at its ends noise leaves points of what ends there
+  constexpr double kBehind = 0.75;  // of the places in the gap
   List<float> heights(pixels.size());
   for (std::size_t k = 0; k < pixels.size(); ++k) heights[k] = heightOn(tube, image, pixels[k]);
   if (heights.empty()) return {};
@@ -64,7 +64,7 @@ List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pix
       if (AxisPart{gap.low - length, gap.high + length}.holds(heights[k])) beside.push_back(pixels[k]);
     }
     const Detection in_gap = shortened(tube, {gap.low + trim, gap.high - trim});
-    if (seenShare(in_gap, beside, image, rays, range, sigma) > kMostSeen) continue;
+    if (behindShare(in_gap, beside, image, rays, range, sigma) < kBehind) continue;
     parts.back().high = gap.low;
     parts.push_back({gap.high, all.high});
   }

@@ -22,7 +22,7 @@ struct AxisPart {
 
 /// The parts of a cylinder or cone, in rising order, between which the image of a depth camera shows what lies behind
 /// where the surface would be. A gap that something hides parts nothing: a pipe goes on behind a post. pixels: its
-/// points, in any order; range, sigma: as for seenShare(). One part where there is no such gap.
+/// points, in any order; range, sigma: as for behindShare(). One part where there is no such gap, none without points.
 List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const Cloud& image,
                            const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 

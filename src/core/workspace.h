@@ -82,13 +82,13 @@ struct Detector::Workspace {
   /// A detection for every face, where several lie in one plane and are seen to be apart.
   void takeFacesApart(const Cloud& whole, List<LabelRun>& runs);
 
+  /// Of such faces that were measured.
+  void distrustUnevenFaces(const List<bool>& measured);
+
   // Then: workspace_tubes.cpp.
 
   /// A detection for every thing of one radius on one axis, where they are seen to be apart.
   void takeTubesApart(const Cloud& whole, const ImageRays& rays, List<LabelRun>& runs);
-
-  /// Of such faces that were measured.
-  void distrustUnevenFaces(const List<bool>& measured);
 
   // What these are made of.
 

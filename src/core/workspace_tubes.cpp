@@ -2,14 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Things of one radius on one axis, each a detection of its own; see workspace.h.
 #include <algorithm>
+#include <optional>
 
 #include "core/evidence.h"
+#include "core/far_sides.h"
 #include "core/measurement.h"
 #include "core/tube_gaps.h"
 #include "core/workspace.h"
 
 namespace primitect {
 namespace {
+
+/// What samples saw of it; nothing: they saw none of it.
+std::optional<AxisPart> seenBySamples(const AxisPart& part, const Detection& tube) {
+  const auto half = static_cast<float>(0.5 * tube.extent.size.z());
+  const AxisPart seen = {std::max(part.low, -half), std::min(part.high, half)};
+  return seen.low < seen.high ? std::optional<AxisPart>(seen) : std::nullopt;
+}
 
 void keepTo(const AxisPart& part, Detection& tube) {
   tube.extent.origin += 0.5 * (part.low + part.high) * tube.extent.rotation.col(2);
@@ -27,7 +36,8 @@ bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t o
   const auto partAt = [&](std::uint32_t i) {
     const float height = heightOn(tube, cloud, i);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (parts[k].holds(height)) return static_cast<int>(k);
+      const bool below = k == 0 && height < parts[k].low, above = k + 1 == parts.size() && height > parts[k].high;
+      if (parts[k].holds(height) || below || above) return static_cast<int>(k);
     }
     return -1;
   };
@@ -38,23 +48,30 @@ bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t o
   }
   const auto least = static_cast<double>(fewestPoints(kindOf(tube.shape), whole));
   const auto all = static_cast<double>(points[of].all), seen = static_cast<double>(points[of].index.size());
-  const auto isEnough = [&](std::size_t count) { return all * static_cast<double>(count) >= least * seen; };
-  const auto kept_parts = std::count_if(counts.begin(), counts.end(), isEnough);
+  List<bool> is_thing;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    is_thing.push_back(all * static_cast<double>(counts[k]) >= least * seen && seenBySamples(parts[k], tube));
+  }
+  const auto things = std::count(is_thing.begin(), is_thing.end(), true);
   const auto before = static_cast<std::uint32_t>(of + 1);
   List<std::uint32_t> label_of(parts.size(), 0);
   bool any = false;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (!isEnough(counts[k])) continue;
+    if (!is_thing[k]) continue;
     label_of[k] = any ? addPart(tube.shape, of) : before;
     any = true;
     Detection& item = result.items[label_of[k] - 1];
     item = tube;
-    keepTo(parts[k], item);
+    keepTo(*seenBySamples(parts[k], tube), item);
+    far_sides[label_of[k] - 1] = far_sides[of];
     // What speaks for the only one is not less for some crumbs beside it.
-    if (kept_parts > 1) takeShare(static_cast<double>(counts[k]) / seen, item);
+    if (things > 1) takeShare(static_cast<double>(counts[k]) / seen, item);
   }
-  if (any) relabel(runs, before, label_of, partAt);
-  return any;
+  if (!any) return false;
+  relabel(runs, before, label_of, partAt);
+  for (std::uint32_t& label : label_of) label |= label > 0 ? kFarSide : 0u;
+  relabel(runs, before | kFarSide, label_of, partAt);
+  return true;
 }
 
 void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& rays, List<LabelRun>& runs) {

@@ -174,8 +174,6 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   return detection;
 }
 
-/// What lies beyond what was tolerated where the ball was looked for counts, too: or its radius would pass for too
-/// sure.
 /// A tube of this radius (m), points of which lie between these heights, on all of it or on one line.
 struct TubePoints {
   double radius, low, high;
@@ -221,6 +219,8 @@ TEST(Measurement, FitsATubeOfAListToWhatItsSamplesSaw) {
   EXPECT_GT(measured_tube.extent.size.z(), 0.25) << "but what was seen is longer";
 }
 
+/// What lies beyond what was tolerated where the ball was looked for counts, too: or its radius would pass for too
+/// sure.
 TEST(Measurement, FitsWithAllOfTheNoise) {
   constexpr double kStrong = 0.003;
   Random random(46);

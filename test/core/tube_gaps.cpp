@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -78,9 +79,9 @@ TEST(TubeGaps, APipeGoesOnBehindAPost) {
   }
 }
 
-/// What partsOfTube() makes of a tube over two cans.
-List<AxisPart> partsOver(const synthetic::World& world, double half) {
-  const Cloud cloud = test::renderedCloud(world, synthetic::FrameParams(), 1);
+/// What partsOfTube() makes of a tube over what lies in the line; nothing is measured this far (m) around its middle.
+List<AxisPart> partsOver(const synthetic::World& world, double half, double missing = 0.0) {
+  Cloud cloud = test::renderedCloud(world, synthetic::FrameParams(), 1);
   Detection tube;
   const Eigen::Isometry3d pose = table();
   const Vec3 middle = pose * Vec3(0, 0, kRadius);
@@ -89,6 +90,10 @@ List<AxisPart> partsOver(const synthetic::World& world, double half) {
   tube.extent.rotation << pose.linear().col(1), pose.linear().col(2), pose.linear().col(0);
   tube.extent.size.z() = 2.0 * half;
   tube.extent.radius = kRadius;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.valid(i) && std::abs(heightOn(tube, cloud, i)) < missing) cloud.setPoint(i, nan, nan, nan, {});
+  }
   const PointNoise sigma([](const Vec3& p) { return axialNoise(p.z()); });
   List<std::uint32_t> pixels;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
@@ -108,6 +113,16 @@ TEST(TubeGaps, AreLengthsThatShowWhatLiesBehind) {
   EXPECT_NEAR(parts[1].low, 0.04, 0.008);
   EXPECT_NEAR(parts[1].high, 0.16, 0.005);
   EXPECT_EQ(partsOver(cansInALine(1, 0.0), kHalf).size(), 1u);
+}
+
+TEST(TubeGaps, AreNoneWhereSomethingIsAroundAPipeOrNothingWasMeasured) {
+  synthetic::World world;
+  world.add("table", synthetic::Sheet{1.0, 0.6}, table());
+  addRod(0.0, 0.2, 0.0, world);
+  EXPECT_EQ(partsOver(world, 0.2, 0.03).size(), 1u) << "a black band";
+  world.add("sleeve", synthetic::Rod{kRadius + 0.015, 0.03},
+            table() * Eigen::Translation3d(0.0, 0.0, kRadius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
+  EXPECT_EQ(partsOver(world, 0.2).size(), 1u) << "a sleeve";
 }
 
 TEST(TubeGaps, AreNoneWithoutPoints) {
