@@ -120,7 +120,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   clear_.gather(cloud_, clear);
   const Shape from = start(found);
   // Beyond what samples saw of an axis points of other surfaces are among them, which no image tells apart: of the
-  // paper's scenes NEES of cones was 1.22 with them, of cylinders 1.10, without 1.13 and 1.02.
+  // paper's scenes NEES of cones is 1.22 with them, 1.16 without.
   const bool of_axis = kindOf(found.shape) == Kind::cylinder || kindOf(found.shape) == Kind::cone;
   if (of_axis && !noise_.ofDepthCamera()) {
     constexpr std::size_t kFewest = 100, kLeastPart = 4;  // as of clear points
