@@ -22,12 +22,6 @@ namespace {
 /// from others: with 128 the paper's scenes take .4 % more instructions.
 constexpr std::size_t kAtOnce = 512;
 
-/// With fewer points the fit would lose more than it is spoilt by the others.
-bool enough(std::size_t some, std::size_t all) {
-  constexpr std::size_t kFewest = 100, kLeastPart = 4;
-  return some >= kFewest && kLeastPart * some >= all;
-}
-
 /// In pixels the noise of a depth camera reaches about equally far from 0.5 to 1.5 m: three standard deviations are 3
 /// pixels of an image 640 wide at 1 m. Measured on 20 tables: with 2 NEES of spheres is 2.7 instead of 1.1, with 4
 /// curved shapes lie a quarter or more farther from the truth.
@@ -115,6 +109,11 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
 
 }  // namespace
 
+bool enoughClear(std::size_t clear, std::size_t all) {
+  constexpr std::size_t kFewest = 100, kLeastPart = 4;
+  return clear >= kFewest && kLeastPart * clear >= all;
+}
+
 ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const std::vector<Detection>& detections,
                          const List<bool>& kept, const std::vector<std::uint32_t>& labels, List<bool> has_far_side,
                          const NoiseModel& noise, const DepthRange& cut)
@@ -190,7 +189,7 @@ List<std::uint32_t> ClearPoints::apart(std::size_t detection, const List<std::ui
 List<std::uint32_t> ClearPoints::of(std::size_t detection, const List<std::uint32_t>& points) const {
   const auto label = static_cast<std::uint32_t>(detection + 1);
   List<std::uint32_t> result = inImage() ? surrounded(label, points) : apart(detection, points);
-  return enough(result.size(), points.size()) ? result : points;
+  return enoughClear(result.size(), points.size()) ? result : points;
 }
 
 ClearPoints::OnSurface::OnSurface(const ClearPoints& finder, std::size_t detection, const List<std::uint32_t>& clear)
@@ -223,7 +222,7 @@ List<std::uint32_t> ClearPoints::OnSurface::operator()(const Shape& fit) {
   if (!of_all_) of_all_.emplace(labelled(), finder_.noise_, clear_);
   List<std::uint32_t> result = of_all_->without(fit);
   const bool noticed = kNoticed * (clear_.size() - result.size()) > clear_.size();
-  return noticed && enough(result.size(), clear_.size()) ? result : clear_;
+  return noticed && enoughClear(result.size(), clear_.size()) ? result : clear_;
 }
 
 }  // namespace primitect

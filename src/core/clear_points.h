@@ -23,6 +23,9 @@ struct CloudNormals {
   bool towards_sensor = true;  ///< turned to the origin first
 };
 
+/// With fewer points a fit would lose more than it is spoilt by the others.
+bool enoughClear(std::size_t clear, std::size_t all);
+
 /// Of one frame. Labels go by distance alone: within the noise of a shape lie also points of what it touches, and where
 /// two shapes meet, noise decides to which a point is given. Few as they are, such points all err to the same side, and
 /// thousands of others do not average that away.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/extent.h"
 #include "core/observed_part.h"
 
 namespace primitect {
@@ -29,8 +30,7 @@ void endOn(const Detection& plane, double reach, const Shape& shape, Extent& ext
   constexpr double kLeastCosine = 0.966;  // 15 deg
   constexpr double kReachBefore = 0.6;    // with more, hidden ends come to faces that they are not on
   constexpr double kMostOfLength = 0.5;
-  const Kind kind = kindOf(shape);
-  if (kind != Kind::cylinder && kind != Kind::cone) return;
+  if (!hasAxis(kindOf(shape))) return;
   const Plane& face = std::get<Plane>(plane.shape);
   const Vec3 axis = extent.rotation.col(2);
   const double cosine = face.normal.dot(axis);

@@ -242,11 +242,8 @@ double endFrom(double one, double two, double all, Surface surface) {
 AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers, Surface surface,
                      Ends ends) {
   constexpr double kStragglers = 0.01;
-  const Eigen::Vector3f direction = axis.cast<float>();
   float heights[SomePoints<kMostPoints>::kRoom];
-  for (std::size_t k = 0; k < inliers.count; ++k) {
-    heights[k] = direction.x() * inliers.x[k] + direction.y() * inliers.y[k] + direction.z() * inliers.z[k];
-  }
+  heightsAlong(axis, inliers.x, inliers.y, inliers.z, inliers.count, heights);
   const auto few = static_cast<std::size_t>(kStragglers * static_cast<double>(inliers.count));
   float *const end = heights + inliers.count, *const low = heights + few, *const high = end - 1 - few;
   const double origin = (inliers.origin - point).dot(axis);

@@ -10,6 +10,9 @@
 
 namespace primitect {
 
+/// Cylinders and cones: the extent has a length along z, and two ends.
+inline bool hasAxis(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone; }
+
 /// Extent of the part where the inliers lie (m). A few stragglers do not stretch it: along an axis the outer 1 % at
 /// either end are left out. outermost: more of the inliers, which a plane's outline is to hold unless they lie apart
 /// from all others. outline: whose memory a plane's hull is to have.

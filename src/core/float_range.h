@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Least and largest of many numbers.
+// Least and largest of many numbers, and what lies between them in pieces.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +28,18 @@ struct FloatRange {
     }
     low = *std::min_element(least, least + kLanes), high = *std::max_element(most, most + kLanes);
   }
+};
+
+/// A range in so many pieces of one length.
+struct EqualPieces {
+  std::size_t count;
+  float low, length;  ///< length: 0 where all is in one place
+
+  EqualPieces(const FloatRange& range, std::size_t pieces)
+      : count(pieces), low(range.low), length((range.high - range.low) / static_cast<float>(pieces)) {}
+
+  std::size_t at(float value) const { return std::min(count - 1, static_cast<std::size_t>((value - low) / length)); }
+  float begin(std::size_t piece) const { return low + static_cast<float>(piece) * length; }
 };
 
 }  // namespace primitect

@@ -11,6 +11,7 @@
 #include "core/along_rays.h"
 #include "core/bent_strip.h"
 #include "core/bias.h"
+#include "core/clear_points.h"
 #include "core/coverage.h"
 #include "core/determination.h"
 #include "core/ends_on_faces.h"
@@ -87,7 +88,7 @@ Shape Measurement::unbiased(const Shape& fit) const {
 /// beyond what the samples saw of it, a bottle has its neck: points there would make a cone of it.
 Shape Measurement::start(const Detection& found) {
   const Shape& shape = found.shape;
-  if (kindOf(shape) != Kind::cylinder && kindOf(shape) != Kind::cone) return shape;
+  if (!hasAxis(kindOf(shape))) return shape;
   fit_points_.gather(within(ObservedPart(shape, found.extent), points_, tolerated_), tolerated_);
   return refineOnPoints(shape, fit_points_, limits_);
 }
@@ -121,11 +122,9 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   const Shape from = start(found);
   // Beyond what samples saw of an axis points of other surfaces are among them, which no image tells apart: of the
   // paper's scenes NEES of cones is 1.22 with them, 1.16 without.
-  const bool of_axis = kindOf(found.shape) == Kind::cylinder || kindOf(found.shape) == Kind::cone;
-  if (of_axis && !noise_.ofDepthCamera()) {
-    constexpr std::size_t kFewest = 100, kLeastPart = 4;  // as of clear points
+  if (hasAxis(kindOf(found.shape)) && !noise_.ofDepthCamera()) {
     SeenPoints seen = within(ObservedPart(found.shape, found.extent), clear_, tolerated_);
-    if (seen.size() >= kFewest && kLeastPart * seen.size() >= clear_.size()) clear_ = std::move(seen);
+    if (enoughClear(seen.size(), clear_.size())) clear_ = std::move(seen);
   }
   Fit fit = {fittedToClear(from), 1.0};
   for (int time = 0; time < kTimes; ++time) {
@@ -152,7 +151,7 @@ double Measurement::leaveOutThinEnds(const Shape& shape) {
   const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
   if (!cylinder || noise_.ofDepthCamera() || points_.empty()) return 1.0;
   const auto before = static_cast<double>(points_.size());
-  points_ = withoutThinEnds(*cylinder, points_);
+  points_ = withoutThinEnds(*cylinder, std::move(points_));
   return static_cast<double>(points_.size()) / before;
 }
 

@@ -39,11 +39,10 @@ class Measurement {
   using OnSurface = std::function<List<std::uint32_t>(const Shape& fit)>;
 
   /// Fits the detection's shape to the clear ones of its points (clear_points.h), and measures all that follows from
-  /// the fit. Of a tube of a list, ends with hardly
-  /// any points are left out (thin_ends.h). Where the surface is not seen although it should be (seen_share.h), its
-  /// size is left open (determination.h) or it is a strip of something else (strip.h, bent_strip.h), confidence goes
-  /// down. An axis ends on a plane that was measured before, where it comes near to one (ends_on_faces.h); these must
-  /// stay where they are.
+  /// the fit. Ends of a list's tube with hardly any points are left out (thin_ends.h). Where the surface is not seen
+  /// although it should be (seen_share.h), its size is left open (determination.h) or it is a strip of something else
+  /// (strip.h, bent_strip.h), confidence goes down. An axis ends on a plane that was measured before, where it comes
+  /// near to one (ends_on_faces.h); these must stay where they are.
   void measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                Detection& detection);
 

@@ -48,6 +48,13 @@ struct SeenPoints {
   Vec3 point(std::size_t i) const { return origin + Vec3(x[i], y[i], z[i]); }
 };
 
+/// Where points lie along an axis (m, from what they are from).
+inline void heightsAlong(const Vec3& axis, const float* x, const float* y, const float* z, std::size_t count,
+                         float* heights) {
+  const Eigen::Vector3f along = axis.cast<float>();
+  for (std::size_t k = 0; k < count; ++k) heights[k] = along.x() * x[k] + along.y() * y[k] + along.z() * z[k];
+}
+
 /// Some of them, at most `wanted`, evenly taken: for what is a mean over all. Filled up to whole lanes with copies of
 /// the last.
 template <std::size_t most>

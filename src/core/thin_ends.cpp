@@ -4,7 +4,6 @@
 #include "core/thin_ends.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/float_range.h"
 
@@ -22,55 +21,41 @@ std::size_t usualCount(List<std::size_t> counts, std::size_t all) {
   return 0;
 }
 
-/// Those at heights between the two.
-SeenPoints between(float low, float high, const List<float>& heights, const SeenPoints& points) {
-  SeenPoints result;
-  result.origin = points.origin;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!(heights[k] >= low && heights[k] <= high)) continue;
-    result.x.push_back(points.x[k]), result.y.push_back(points.y[k]), result.z.push_back(points.z[k]);
-  }
-  return result;
-}
-
-/// Once: pieces are as long as all of it allows.
-SeenPoints trimmed(const Cylinder& cylinder, const SeenPoints& points) {
+/// What is left of these heights without thin ends, in pieces as short as their number allows.
+FloatRange withoutThinEnds(const List<float>& heights) {
   constexpr std::size_t kMostPieces = 64, kPointsOfPiece = 16;  // fewer are a quarter by chance
   constexpr std::size_t kFewest = 4;                            // one in so many of what is usual
-  const Eigen::Vector3f axis = cylinder.axis.cast<float>();
-  List<float> heights(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    heights[k] = axis.x() * points.x[k] + axis.y() * points.y[k] + axis.z() * points.z[k];
-  }
-  const FloatRange range(heights.data(), heights.size());
-  const std::size_t pieces = std::min(kMostPieces, points.size() / kPointsOfPiece);
-  const float piece = (range.high - range.low) / static_cast<float>(pieces);
-  if (!(piece > 0.0f)) return points;
-  List<std::size_t> counts(pieces, 0);
-  for (const float height : heights) {
-    ++counts[std::min(pieces - 1, static_cast<std::size_t>((height - range.low) / piece))];
-  }
-  const std::size_t usual = usualCount(counts, points.size());
-  std::size_t first = 0, end = pieces;
+  FloatRange range(heights.data(), heights.size());
+  const EqualPieces pieces(range, std::min(kMostPieces, heights.size() / kPointsOfPiece));
+  if (!(pieces.length > 0.0f)) return range;
+  List<std::size_t> counts(pieces.count, 0);
+  for (const float height : heights) ++counts[pieces.at(height)];
+  const std::size_t usual = usualCount(counts, heights.size());
+  std::size_t first = 0, end = pieces.count;
   while (kFewest * counts[first] < usual) ++first;
   while (kFewest * counts[end - 1] < usual) --end;
-  if (first == 0 && end == pieces) return points;
-  const auto at = [&](std::size_t k) { return range.low + static_cast<float>(k) * piece; };
-  return between(at(first), at(end), heights, points);
+  if (first > 0 || end < pieces.count) range.low = pieces.begin(first), range.high = pieces.begin(end);
+  return range;
 }
 
 }  // namespace
 
-SeenPoints withoutThinEnds(const Cylinder& cylinder, const SeenPoints& points) {
+SeenPoints withoutThinEnds(const Cylinder& cylinder, SeenPoints points) {
   constexpr std::size_t kFewestPoints = 64;
   constexpr int kTimes = 3;  // with ever shorter pieces
-  SeenPoints result = points;
-  for (int time = 0; time < kTimes && result.size() >= kFewestPoints; ++time) {
-    SeenPoints shorter = trimmed(cylinder, result);
-    if (shorter.size() == result.size()) break;
-    result = std::move(shorter);
+  for (int time = 0; time < kTimes && points.size() >= kFewestPoints; ++time) {
+    List<float> heights(points.size());
+    heightsAlong(cylinder.axis, points.x.data(), points.y.data(), points.z.data(), points.size(), heights.data());
+    const FloatRange left = withoutThinEnds(heights);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
+      kept += heights[k] >= left.low && heights[k] <= left.high ? 1 : 0;
+    }
+    if (kept == points.size()) break;
+    for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
   }
-  return result;
+  return points;
 }
 
 }  // namespace primitect

@@ -12,6 +12,6 @@ namespace primitect {
 /// goes. The points without those at either end where a length holds fewer than a quarter of what as long a length
 /// around the usual point (the median one, by how many are around it) holds; gaps between are no ends. All of fewer
 /// than 64.
-SeenPoints withoutThinEnds(const Cylinder& cylinder, const SeenPoints& points);
+SeenPoints withoutThinEnds(const Cylinder& cylinder, SeenPoints points);
 
 }  // namespace primitect

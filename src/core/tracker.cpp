@@ -9,6 +9,8 @@
 #include <optional>
 #include <tuple>
 
+#include "core/extent.h"
+
 namespace primitect {
 namespace {
 
@@ -21,10 +23,8 @@ constexpr double kMostSpeed = 0.3;                            // m/s, besides
 /// Of the reach along a surface: what hides an end moves the middle of what is seen.
 constexpr double kMostSlide = 0.6;
 
-bool isTube(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone; }
-
 bool mayBeSame(const Sighting& a, const Sighting& b) {
-  const bool alike = a.kind == b.kind || (isTube(a.kind) && isTube(b.kind));
+  const bool alike = a.kind == b.kind || (hasAxis(a.kind) && hasAxis(b.kind));
   return alike && a.concave == b.concave;
 }
 

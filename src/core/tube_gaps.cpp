@@ -12,22 +12,18 @@ namespace primitect {
 namespace {
 
 /// Lengths without any of these heights, of at least this much (m), in rising order.
-List<AxisPart> emptyLengths(const List<float>& heights, float least) {
+List<AxisPart> emptyLengths(const List<float>& heights, const FloatRange& range, float least) {
   constexpr std::size_t kPieces = 128;
-  const FloatRange range(heights.data(), heights.size());
-  const float piece = (range.high - range.low) / static_cast<float>(kPieces);
+  const EqualPieces pieces(range, kPieces);
   List<AxisPart> empty;
-  if (!(piece > 0.0f)) return empty;
+  if (!(pieces.length > 0.0f)) return empty;
   bool any[kPieces] = {};
-  for (const float height : heights) {
-    any[std::min(kPieces - 1, static_cast<std::size_t>((height - range.low) / piece))] = true;
-  }
+  for (const float height : heights) any[pieces.at(height)] = true;
   for (std::size_t first = 0; first < kPieces; ++first) {
     if (any[first]) continue;
     std::size_t end = first;
     while (!any[end]) ++end;  // the last holds the highest
-    const AxisPart length = {range.low + static_cast<float>(first) * piece,
-                             range.low + static_cast<float>(end) * piece};
+    const AxisPart length = {pieces.begin(first), pieces.begin(end)};
     if (length.high - length.low >= least) empty.push_back(length);
     first = end;
   }
@@ -38,14 +34,17 @@ Detection shortened(const Detection& tube, const AxisPart& part) {
   Detection result;
   result.shape = tube.shape;
   result.concave = tube.concave;
-  result.extent.rotation = tube.extent.rotation;
-  result.extent.radius = tube.extent.radius;
-  result.extent.origin = tube.extent.origin + 0.5 * (part.low + part.high) * tube.extent.rotation.col(2);
-  result.extent.size.z() = part.high - part.low;
+  result.extent = tube.extent;
+  keepTo(part, result.extent);
   return result;
 }
 
 }  // namespace
+
+void keepTo(const AxisPart& part, Extent& extent) {
+  extent.origin += 0.5 * (part.low + part.high) * extent.rotation.col(2);
+  extent.size.z() = part.high - part.low;
+}
 
 List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const Cloud& image,
                            const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
@@ -57,7 +56,7 @@ List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pix
   if (heights.empty()) return {};
   const FloatRange all(heights.data(), heights.size());
   List<AxisPart> parts = {{all.low, all.high}};
-  for (const AxisPart& gap : emptyLengths(heights, kLeast)) {
+  for (const AxisPart& gap : emptyLengths(heights, all, kLeast)) {
     const float length = gap.high - gap.low, trim = 0.5f * (1.0f - kMiddle) * length;
     List<std::uint32_t> beside;  // where the image is asked: in the box around them
     for (std::size_t k = 0; k < pixels.size(); ++k) {

@@ -20,6 +20,9 @@ struct AxisPart {
   bool holds(float height) const { return height >= low && height <= high; }
 };
 
+/// The extent of that part of what this one is the extent of.
+void keepTo(const AxisPart& part, Extent& extent);
+
 /// The parts of a cylinder or cone, in rising order, between which the image of a depth camera shows what lies behind
 /// where the surface would be. A gap that something hides parts nothing: a pipe goes on behind a post. pixels: its
 /// points, in any order; range, sigma: as for behindShare(). One part where there is no such gap, none without points.

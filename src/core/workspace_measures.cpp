@@ -7,6 +7,7 @@
 
 #include "core/bent_part.h"
 #include "core/clear_points.h"
+#include "core/extent.h"
 #include "core/far_sides.h"
 #include "core/strip.h"
 #include "core/workspace.h"
@@ -68,9 +69,7 @@ void Detector::Workspace::thin(const Cloud& whole) {
 /// kept: not seen on 60 tables.
 void Detector::Workspace::labelStretched(Labeling& of_cloud, const Cloud& whole, List<LabelRun>& runs) {
   const HeldExtents of_samples(result.items);
-  for (Detection& item : result.items) {
-    stretch(stretchOf(item), item.extent);
-  }
+  for (Detection& item : result.items) stretch(stretchOf(item), item.extent);
   of_cloud.label(result.items, tolerance, of_cloud.allRuns(), labels);
   runs = labelRuns(labels);
   kept = areEnough(countPoints(runs), whole);
@@ -160,7 +159,7 @@ Vec3 Detector::Workspace::stretchOf(const Detection& item) const {
   constexpr std::uint32_t kEnoughSamples = 64;  // of a plane
   const Kind kind = kindOf(item.shape);
   Vec3 factors = Vec3::Ones();
-  if (kind == Kind::cylinder || kind == Kind::cone) factors.z() = stretchOfAxis(item);
+  if (hasAxis(kind)) factors.z() = stretchOfAxis(item);
   if (!depth_camera || kind != Kind::plane || item.inlier_count < kEnoughSamples) return factors;
   const Eigen::Vector2d size = item.extent.size.head<2>();
   const double more = 2.0 * kSpacings * std::sqrt(size.prod() / item.inlier_count);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/evidence.h"
+#include "core/extent.h"
 #include "core/far_sides.h"
 #include "core/measurement.h"
 #include "core/tube_gaps.h"
@@ -20,10 +21,11 @@ std::optional<AxisPart> seenBySamples(const AxisPart& part, const Detection& tub
   return seen.low < seen.high ? std::optional<AxisPart>(seen) : std::nullopt;
 }
 
-void keepTo(const AxisPart& part, Detection& tube) {
-  tube.extent.origin += 0.5 * (part.low + part.high) * tube.extent.rotation.col(2);
-  tube.extent.size.z() = part.high - part.low;
-}
+/// A part that is reported.
+struct Thing {
+  std::size_t part, count;  ///< number of the part; points in it
+  AxisPart seen;
+};
 
 }  // namespace
 
@@ -48,26 +50,24 @@ bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t o
   }
   const auto least = static_cast<double>(fewestPoints(kindOf(tube.shape), whole));
   const auto all = static_cast<double>(points[of].all), seen = static_cast<double>(points[of].index.size());
-  List<bool> is_thing;
+  List<Thing> things;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    is_thing.push_back(all * static_cast<double>(counts[k]) >= least * seen && seenBySamples(parts[k], tube));
+    const std::optional<AxisPart> part_seen = seenBySamples(parts[k], tube);
+    if (part_seen && all * static_cast<double>(counts[k]) >= least * seen) things.push_back({k, counts[k], *part_seen});
   }
-  const auto things = std::count(is_thing.begin(), is_thing.end(), true);
+  if (things.empty()) return false;
   const auto before = static_cast<std::uint32_t>(of + 1);
   List<std::uint32_t> label_of(parts.size(), 0);
-  bool any = false;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (!is_thing[k]) continue;
-    label_of[k] = any ? addPart(tube.shape, of) : before;
-    any = true;
-    Detection& item = result.items[label_of[k] - 1];
+  for (const Thing& thing : things) {
+    const std::uint32_t label = &thing == &things.front() ? before : addPart(tube.shape, of);
+    label_of[thing.part] = label;
+    Detection& item = result.items[label - 1];
     item = tube;
-    keepTo(*seenBySamples(parts[k], tube), item);
-    far_sides[label_of[k] - 1] = far_sides[of];
+    keepTo(thing.seen, item.extent);
+    far_sides[label - 1] = far_sides[of];
     // What speaks for the only one is not less for some crumbs beside it.
-    if (things > 1) takeShare(static_cast<double>(counts[k]) / seen, item);
+    if (things.size() > 1) takeShare(static_cast<double>(thing.count) / seen, item);
   }
-  if (!any) return false;
   relabel(runs, before, label_of, partAt);
   for (std::uint32_t& label : label_of) label |= label > 0 ? kFarSide : 0u;
   relabel(runs, before | kFarSide, label_of, partAt);
@@ -80,8 +80,7 @@ void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& ra
   const DepthRange range = rangeOf(params);
   bool any = false;
   for (std::size_t k = 0, count = result.items.size(); k < count; ++k) {
-    const Kind kind = kindOf(result.items[k].shape);
-    if (!kept[k] || (kind != Kind::cylinder && kind != Kind::cone)) continue;
+    if (!kept[k] || !hasAxis(kindOf(result.items[k].shape))) continue;
     const List<AxisPart> parts = partsOfTube(result.items[k], points[k].index, thinned.cloud(), rays, range, sigma);
     if (parts.size() > 1 && giveToParts(parts, k, whole, runs)) any = true;
   }

@@ -25,11 +25,7 @@ synthetic::FrameParams simpleNoise() {
 /// A tube of 25 cm across the image on a table 1 m in front of a camera that looks down by 50 deg.
 Cloud tubeOnTable(double radius, double along_table, std::uint64_t seed,
                   const synthetic::FrameParams& params = simpleNoise()) {
-  Eigen::Isometry3d table = Eigen::Isometry3d::Identity();
-  const double down = 50.0 * M_PI / 180.0;
-  const Vec3 up(0.0, -std::cos(down), -std::sin(down));
-  table.linear() << Vec3::UnitX(), up.cross(Vec3::UnitX()), up;
-  table.translation() = Vec3::UnitZ();
+  const Eigen::Isometry3d table = test::tableBeforeCamera(1.0, 50.0 * M_PI / 180.0);
   const Eigen::Isometry3d tube =
       table * Eigen::Translation3d(0.0, along_table, radius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY());
   synthetic::World world;

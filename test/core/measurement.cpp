@@ -16,6 +16,7 @@
 #include "test/support/hypotheses.h"
 #include "test/support/linear_algebra.h"
 #include "test/support/scenes.h"
+#include "test/support/tube_points.h"
 
 namespace primitect {
 namespace {
@@ -174,35 +175,20 @@ Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection dete
   return detection;
 }
 
-/// A tube of this radius (m), points of which lie between these heights, on all of it or on one line.
-struct TubePoints {
-  double radius, low, high;
-  int count;
-  bool on_line;
-};
-
 /// Measured, where samples saw kCan `reach` (m) far either way.
-Detection measuredTube(std::initializer_list<TubePoints> parts, const NoiseModel& noise, double reach) {
+Detection measuredTube(std::initializer_list<test::TubePart> parts, const NoiseModel& noise, double reach) {
   Random random(45);
-  std::vector<test::SurfacePoint> points;
-  for (const TubePoints& part : parts) {
-    const Cylinder tube = {kCan.point, kCan.axis, part.radius};
-    for (int i = 0; i < part.count; ++i) {
-      const double height = random.uniform(part.low, part.high), angle = random.uniform(0.0, 2.0 * M_PI);
-      points.push_back(test::pointOn(tube, height, part.on_line ? 0.0 : angle));
-    }
-  }
   Detection found;
   found.shape = kCan;
   found.extent.origin = kCan.point;
   found.extent.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), kCan.axis).toRotationMatrix();
   found.extent.size.z() = 2.0 * reach;
   found.extent.radius = kCan.radius;
-  return measuredOn(test::cloudOf(measured(points, kNoise, 0.0, random)), noise, found);
+  return measuredOn(test::cloudOf(measured(test::tubeOf(kCan, parts, random), kNoise, 0.0, random)), noise, found);
 }
 
 TEST(Measurement, LeavesOutWhereATubeOfAListGoesOnAsALine) {
-  const auto tube = {TubePoints{kCan.radius, -0.1, 0.1, 1200, false}, TubePoints{kCan.radius, -0.5, 0.5, 700, true}};
+  const auto tube = {test::TubePart{1200, -0.1, 0.1}, test::TubePart{700, -0.5, 0.5, true}};
   const Detection of_list = measuredTube(tube, kNoiseModel, 0.5);
   EXPECT_NEAR(of_list.extent.size.z(), 0.2, 0.008);
   EXPECT_NEAR(of_list.inlier_count, 1200 + 0.2 * 700, 60);
@@ -212,8 +198,7 @@ TEST(Measurement, LeavesOutWhereATubeOfAListGoesOnAsALine) {
 
 TEST(Measurement, FitsATubeOfAListToWhatItsSamplesSaw) {
   constexpr double kAstray = 2.0 * kNoise;
-  const auto tube = {TubePoints{kCan.radius, -0.1, 0.1, 1500, false},
-                     TubePoints{kCan.radius + kAstray, 0.12, 0.16, 500, false}};
+  const auto tube = {test::TubePart{1500, -0.1, 0.1}, test::TubePart{500, 0.12, 0.16, false, kAstray}};
   const Detection measured_tube = measuredTube(tube, kNoiseModel, 0.1);
   EXPECT_NEAR(std::get<Cylinder>(measured_tube.shape).radius, kCan.radius, 0.1 * kAstray);
   EXPECT_GT(measured_tube.extent.size.z(), 0.25) << "but what was seen is longer";

@@ -10,20 +10,23 @@
 #include <utility>
 #include <vector>
 
-#include "test/support/exact_shapes.h"
+#include "test/support/tube_points.h"
 
 namespace primitect {
 namespace {
 
 const Cylinder kTube = {Vec3(0.1, 0.2, 1.0), Vec3(0.6, 0.0, 0.8), 0.03};
 
-/// So many points of the tube between these heights (m), on all of it or on one line.
-void add(int count, double low, double high, bool on_line, Random& random, std::vector<Vec3>& points) {
-  for (int i = 0; i < count; ++i) {
-    const double height = random.uniform(low, high), angle = on_line ? 0.0 : random.uniform(0.0, 2.0 * M_PI);
-    points.push_back(test::pointOn(kTube, height, angle).point);
-  }
+/// What is seen of it.
+SeenPoints seen(std::initializer_list<test::TubePart> parts, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (const test::SurfacePoint& p : test::tubeOf(kTube, parts, random)) points.push_back(p.point);
+  return points;
 }
+
+/// All of it is left.
+bool staysWhole(const SeenPoints& points) { return withoutThinEnds(kTube, points).size() == points.size(); }
 
 /// Lowest and highest point along the axis (m).
 std::pair<double, double> rangeOf(const SeenPoints& points) {
@@ -37,11 +40,7 @@ std::pair<double, double> rangeOf(const SeenPoints& points) {
 
 TEST(ThinEnds, AreLeftOut) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Random random(seed);
-    std::vector<Vec3> points;
-    add(1200, 0.0, 0.12, false, random, points);
-    add(800, -0.2, 1.0, true, random, points);
-    const SeenPoints left = withoutThinEnds(kTube, points);
+    const SeenPoints left = withoutThinEnds(kTube, seen({{1200, 0.0, 0.12}, {800, -0.2, 1.0, true}}, seed));
     const auto [low, high] = rangeOf(left);
     EXPECT_NEAR(low, 0.0, 0.004) << seed;
     EXPECT_NEAR(high, 0.12, 0.004) << seed;
@@ -51,31 +50,19 @@ TEST(ThinEnds, AreLeftOut) {
 
 TEST(ThinEnds, AreNoneWhereATubeIsSeenAllAlong) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Random random(seed);
-    std::vector<Vec3> even, uneven;
-    add(2000, 0.0, 0.2, false, random, even);
-    for (int part = 0; part < 10; ++part) add(400 - 30 * part, 0.1 * part, 0.1 * part + 0.1, false, random, uneven);
-    EXPECT_EQ(withoutThinEnds(kTube, even).size(), even.size()) << seed;
-    EXPECT_EQ(withoutThinEnds(kTube, uneven).size(), uneven.size()) << seed << ", a third as dense at one end";
+    EXPECT_TRUE(staysWhole(seen({{2000, 0.0, 0.2}}, seed))) << seed;
+    const std::initializer_list<test::TubePart> uneven = {
+        {400, 0.0, 0.1}, {370, 0.1, 0.2}, {340, 0.2, 0.3}, {310, 0.3, 0.4}, {280, 0.4, 0.5},
+        {250, 0.5, 0.6}, {220, 0.6, 0.7}, {190, 0.7, 0.8}, {160, 0.8, 0.9}, {130, 0.9, 1.0}};
+    EXPECT_TRUE(staysWhole(seen(uneven, seed))) << seed << ", a third as dense at one end";
   }
 }
 
-TEST(ThinEnds, AreNoGapsBetween) {
-  Random random(11);
-  std::vector<Vec3> points;
-  add(500, 0.0, 0.1, false, random, points);
-  add(500, 0.3, 0.4, false, random, points);
-  EXPECT_EQ(withoutThinEnds(kTube, points).size(), points.size());
-}
+TEST(ThinEnds, AreNoGapsBetween) { EXPECT_TRUE(staysWhole(seen({{500, 0.0, 0.1}, {500, 0.3, 0.4}}, 11))); }
 
 TEST(ThinEnds, AreNotLookedForAmongFewPoints) {
-  Random random(12);
-  std::vector<Vec3> points;
-  add(60, 0.0, 0.1, false, random, points);
-  add(3, 0.5, 0.6, false, random, points);
-  EXPECT_EQ(withoutThinEnds(kTube, points).size(), points.size());
-  const std::vector<Vec3> in_one_place(100, kTube.point);
-  EXPECT_EQ(withoutThinEnds(kTube, in_one_place).size(), in_one_place.size());
+  EXPECT_TRUE(staysWhole(seen({{60, 0.0, 0.1}, {3, 0.5, 0.6}}, 12)));
+  EXPECT_TRUE(staysWhole(std::vector<Vec3>(100, kTube.point))) << "in one place";
   EXPECT_TRUE(withoutThinEnds(kTube, {}).empty());
 }
 

@@ -19,28 +19,24 @@ namespace {
 
 constexpr double kRadius = 0.033, kHalf = 0.06;  // m, of each can
 
-/// A table 0.8 m in front of a camera that looks down by 40 deg; x to the right, z up.
-Eigen::Isometry3d table() {
-  const double down = 40.0 * M_PI / 180.0;
-  const Vec3 up(0.0, -std::cos(down), -std::sin(down));
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() << Vec3::UnitX(), up.cross(Vec3::UnitX()), up;
-  pose.translation() = 0.8 * Vec3::UnitZ();
-  return pose;
+Eigen::Isometry3d table() { return test::tableBeforeCamera(0.8, 40.0 * M_PI / 180.0); }
+
+synthetic::World tableAlone() {
+  synthetic::World world;
+  world.add("table", synthetic::Sheet{1.0, 0.6}, table());
+  return world;
 }
 
-/// Lies along x, its middle at this place.
-void addRod(double middle, double half, double towards_camera, synthetic::World& world) {
-  world.add(
-      "rod", synthetic::Rod{kRadius, half},
-      table() * Eigen::Translation3d(middle, -towards_camera, kRadius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
+/// Lies along x, its axis a can's radius above the table.
+void addRod(double middle, double half, synthetic::World& world, double radius = kRadius) {
+  world.add("rod", synthetic::Rod{radius, half},
+            table() * Eigen::Translation3d(middle, 0.0, kRadius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
 }
 
 synthetic::World cansInALine(int count, double gap) {
-  synthetic::World world;
-  world.add("table", synthetic::Sheet{1.0, 0.6}, table());
+  synthetic::World world = tableAlone();
   const double step = 2.0 * kHalf + gap;
-  for (int k = 0; k < count; ++k) addRod((k - 0.5 * (count - 1)) * step, kHalf, 0.0, world);
+  for (int k = 0; k < count; ++k) addRod((k - 0.5 * (count - 1)) * step, kHalf, world);
   return world;
 }
 
@@ -68,9 +64,8 @@ TEST(TubeGaps, CansInALineAreADetectionEach) {
 }
 
 TEST(TubeGaps, APipeGoesOnBehindAPost) {
-  synthetic::World world;
-  world.add("table", synthetic::Sheet{1.0, 0.6}, table());
-  addRod(0.0, 0.25, 0.0, world);
+  synthetic::World world = tableAlone();
+  addRod(0.0, 0.25, world);
   world.add("post", synthetic::Box{0.03, 0.02, 0.1}, table() * Eigen::Translation3d(0.0, -0.12, 0.1));
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const std::vector<double> lengths = lengthsOfTubes(world, seed);
@@ -116,12 +111,10 @@ TEST(TubeGaps, AreLengthsThatShowWhatLiesBehind) {
 }
 
 TEST(TubeGaps, AreNoneWhereSomethingIsAroundAPipeOrNothingWasMeasured) {
-  synthetic::World world;
-  world.add("table", synthetic::Sheet{1.0, 0.6}, table());
-  addRod(0.0, 0.2, 0.0, world);
+  synthetic::World world = tableAlone();
+  addRod(0.0, 0.2, world);
   EXPECT_EQ(partsOver(world, 0.2, 0.03).size(), 1u) << "a black band";
-  world.add("sleeve", synthetic::Rod{kRadius + 0.015, 0.03},
-            table() * Eigen::Translation3d(0.0, 0.0, kRadius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
+  addRod(0.0, 0.03, world, kRadius + 0.015);
   EXPECT_EQ(partsOver(world, 0.2).size(), 1u) << "a sleeve";
 }
 

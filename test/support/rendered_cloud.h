@@ -3,6 +3,7 @@
 // What the simulated camera sees of a world, as a cloud.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "primitect/cloud.h"
@@ -18,6 +19,15 @@ inline Cloud renderedCloud(const synthetic::World& world, const synthetic::Frame
   cloudFromDepth(renderFrame(world, camera, world_from_camera, params, seed, 0).depth, camera, params.truth.range,
                  cloud);
   return cloud;
+}
+
+/// Of a table so far (m) in front of a camera that looks down by this angle (rad): x to the right, z up.
+inline Eigen::Isometry3d tableBeforeCamera(double distance, double down) {
+  const Vec3 up(0.0, -std::cos(down), -std::sin(down));
+  Eigen::Isometry3d table = Eigen::Isometry3d::Identity();
+  table.linear() << Vec3::UnitX(), up.cross(Vec3::UnitX()), up;
+  table.translation() = distance * Vec3::UnitZ();
+  return table;
 }
 
 }  // namespace primitect::test
