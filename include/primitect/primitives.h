@@ -112,7 +112,8 @@ struct Detection {
   std::array<double, 36> covariance = {-1.0};
   bool concave = false;
   std::uint8_t truncated = kTruncationUnknown;
-  /// The other kind that would explain the same samples nearly as well.
+  /// The other kind that would explain the same samples nearly as well; a cone sharper than min_half_angle_deg that
+  /// would explain the points better.
   std::optional<Kind> rival;
   Evidence evidence;           ///< behind confidence; of verified detections
   std::uint32_t track_id = 0;  ///< 0 = untracked

@@ -150,14 +150,15 @@ std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, Po
   return fit ? fit : refineOnce(few, points, errors);
 }
 
-Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
+PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   // What a fit to few points may lack of the agreement that one to all has is far less; others are not fitted to all:
   // .5 % fewer instructions of a tabletop, .8 % of a paper scene.
   constexpr double kFarBehind = 0.01;  // of the points
   const double count = static_cast<double>(points.size());
   const FitPoints few = areMany(points) ? points.thinned(kFew) : FitPoints();
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
   Shape best = shape;
-  double most = -std::numeric_limits<double>::infinity();
+  double most = kNone, most_of_refused_cones = kNone;
   const auto worthOf = [&](const Shape& fitted) { return agreement(fitted, points) - count * priceOf(fitted, shape); };
   for (Shape start : startsAround(shape, points)) {
     if (areMany(points)) {
@@ -165,13 +166,15 @@ Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& 
       if (worthOf(start) < most - kFarBehind * count) continue;
     }
     const std::optional<Shape> fitted = refineOnce(start, points, PointErrors::across);
-    if (!fitted || !limits.hold(*fitted)) continue;
+    if (!fitted) continue;
     const double worth = worthOf(*fitted);
-    if (!(worth > most)) continue;
-    best = *fitted;
-    most = worth;
+    if (limits.hold(*fitted)) {
+      if (worth > most) most = worth, best = *fitted;
+    } else if (kindOf(*fitted) == Kind::cone && limits.params.detect_cones) {
+      most_of_refused_cones = std::max(most_of_refused_cones, worth);
+    }
   }
-  return best;
+  return {best, most_of_refused_cones > most};
 }
 
 }  // namespace primitect

@@ -39,8 +39,14 @@ enum class PointErrors {
 /// the rays a cone takes these from narrower.
 std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors = PointErrors::across);
 
+/// What points make of a shape.
+struct PointsChoice {
+  Shape shape;
+  bool as_sharp_cone = false;  ///< a cone explains them better, but its half angle is beyond the limits
+};
+
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many
 /// points a cylinder and a cone that tapers little can be told apart: both are tried for either, and a ball for both.
-Shape refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits);
+PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits);
 
 }  // namespace primitect

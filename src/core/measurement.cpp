@@ -86,9 +86,9 @@ Shape Measurement::unbiased(const Shape& fit) const {
 
 /// What tells a cylinder from a cone grows with the length that was seen, of which clear points lack both ends. But
 /// beyond what the samples saw of it, a bottle has its neck: points there would make a cone of it.
-Shape Measurement::start(const Detection& found) {
+PointsChoice Measurement::start(const Detection& found) {
   const Shape& shape = found.shape;
-  if (!hasAxis(kindOf(shape))) return shape;
+  if (!hasAxis(kindOf(shape))) return {shape, false};
   fit_points_.gather(within(ObservedPart(shape, found.extent), points_, tolerated_), tolerated_);
   return refineOnPoints(shape, fit_points_, limits_);
 }
@@ -119,14 +119,15 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
                                      const Detection& found) {
   constexpr int kTimes = 3;
   clear_.gather(cloud_, clear);
-  const Shape from = start(found);
+  const PointsChoice choice = start(found);
+  const Shape& from = choice.shape;
   // Beyond what samples saw of an axis points of other surfaces are among them, which no image tells apart: of the
   // paper's scenes NEES of cones is 1.22 with them, 1.16 without.
   if (hasAxis(kindOf(found.shape)) && !noise_.ofDepthCamera()) {
     SeenPoints seen = within(ObservedPart(found.shape, found.extent), clear_, tolerated_);
     if (enoughClear(seen.size(), clear_.size())) clear_ = std::move(seen);
   }
-  Fit fit = {fittedToClear(from), 1.0};
+  Fit fit = {fittedToClear(from), 1.0, choice.as_sharp_cone};
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
@@ -164,6 +165,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
+  if (fit.as_sharp_cone) detection.rival = Kind::cone;
   const double share = leaveOutThinEnds(detection.shape);
   detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
   detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));

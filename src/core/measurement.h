@@ -49,12 +49,13 @@ class Measurement {
  private:
   struct Fit {
     Shape shape;
-    double most_trust;  ///< in its size, see trustInSize()
+    double most_trust;   ///< in its size, see trustInSize()
+    bool as_sharp_cone;  ///< see PointsChoice
   };
 
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
-  Shape start(const Detection& found);
+  PointsChoice start(const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);

@@ -43,8 +43,8 @@ NoiseModel Verification::fullNoise() const {
 
 double Verification::radiusBin() const { return params_.radius_bin * scale_.scene_diameter * scale_.radius_stretch; }
 
-Limits Verification::limits() const {
-  return {params_, std::max(radiusBin() * params_.radius_bins, scale_.view_radius)};
+double Verification::largestRadius() const {
+  return std::max(radiusBin() * params_.radius_bins, scale_.view_radius);
 }
 
 ProposalRules Verification::rules() const {
@@ -53,7 +53,7 @@ ProposalRules Verification::rules() const {
   const double typical =
       noise_.ofDepthCamera() && samples_.size() > 0 ? noise_.at(samples_.point(samples_.size() / 2)) : noise_.distance;
   const double widen = std::clamp(radiusBin() / (kInlierDeviations * typical), 1.0, kMostWiden);
-  ProposalRules rules = {noise_, limits(), widen, params_.pair_distance * scale_.scene_diameter};
+  ProposalRules rules = {noise_, {params_, largestRadius()}, widen, params_.pair_distance * scale_.scene_diameter};
   rules.fitted_normals = scale_.fitted_normals && noise_measured_;
   return rules;
 }

@@ -79,7 +79,7 @@ class Verification {
   /// none.
   std::optional<Vec3> levelOf(const Segment& plane) const;
   double radiusBin() const;  ///< m
-  Limits limits() const;
+  double largestRadius() const;  ///< m, of a shape
 
  private:
   /// Samples that one plane fits, as far as this level tells.

@@ -33,8 +33,8 @@ inline bool isDescribed(const Segment& segment) { return !segment.inliers.empty(
 struct Detector::Workspace {
   explicit Workspace(const Params& checked_params)
       : params(checked_params),
-        voting(checked_params),
-        verification(checked_params),
+        voting(limitsForSamples(checked_params)),
+        verification(limitsForSamples(checked_params)),
         search(voting, verification, [this](const char* stage) { done(stage); }) {}
 
   void done(const char* stage) const {

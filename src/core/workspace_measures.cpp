@@ -199,7 +199,8 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
   const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), rangeOf(params));
-  Measurement measurement(cloud, rays, params, {verification.noise(), verification.fullNoise()}, verification.limits());
+  const MeasurementNoise noise = {verification.noise(), verification.fullNoise()};
+  Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   List<std::size_t> left;
   for (const LabelledPoints& of_item : points) left.push_back(of_item.all);
   const List<bool> enough = areEnough(left, whole);  // and none of what was not kept

@@ -47,7 +47,7 @@ std::vector<SurfacePoint> pointsOfCan() {
 }
 
 Shape refined(const Shape& shape, const Samples& points, const Params& params = Params()) {
-  return refineOnPoints(shape, test::fitPointsOf(points), {params, 0.4});
+  return refineOnPoints(shape, test::fitPointsOf(points), {params, 0.4}).shape;
 }
 
 TEST(RefineOnPoints, TurnsACylinderOnASlightlyTaperedConeIntoTheCone) {
@@ -157,6 +157,20 @@ TEST(RefineOnPoints, KeepsLimits) {
   params.max_radius = 0.0495;
   const Cylinder smaller = {kCan.point, kCan.axis, 0.049};
   EXPECT_EQ(std::get<Cylinder>(refined(smaller, samplesOfCan(1000, 53), params)).radius, 0.049);
+}
+
+TEST(RefineOnPoints, SaysWhereAConeThatIsSharperThanTheLimitsWouldBeBetter) {
+  Params params;
+  params.min_half_angle_deg = 12.0;
+  const auto choice = [&params](const Samples& points) {
+    return refineOnPoints(kCan, test::fitPointsOf(points), {params, 0.4});
+  };
+  const PointsChoice of_tapered = choice(samplesOfTapered(10.0 * kDegree, 1000, 52));
+  EXPECT_EQ(kindOf(of_tapered.shape), Kind::cylinder);
+  EXPECT_TRUE(of_tapered.as_sharp_cone);
+  EXPECT_FALSE(choice(samplesOfCan(1000, 53)).as_sharp_cone);
+  params.detect_cones = false;  // nobody asks
+  EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).as_sharp_cone);
 }
 
 TEST(RefineOnPoints, KeepsAShapeThatCannotBeFitted) {

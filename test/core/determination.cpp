@@ -37,6 +37,13 @@ TEST(TrustInSize, OfAConeIsThatInItsHalfAngle) {
   EXPECT_EQ(trustInSize(cone, uncertain(0.0, 0.15)), 0.0);
 }
 
+TEST(TrustInSize, OfASharpConeAsksWhetherItIsACylinder) {
+  const Cone cone = {Vec3::Zero(), Vec3::UnitZ(), 0.08};
+  EXPECT_EQ(trustInSize(cone, uncertain(0.0, 0.02)), 1.0);
+  EXPECT_LT(trustInSize(cone, uncertain(0.0, 0.045)), 0.5);
+  EXPECT_EQ(trustInSize(cone, uncertain(0.0, 0.06)), 0.0);
+}
+
 TEST(TrustInSize, IsFullForPlanesWhichHaveNone) {
   EXPECT_EQ(trustInSize(Plane{Vec3::Zero(), Vec3::UnitZ()}, uncertain(1.0, 1.0)), 1.0);
 }

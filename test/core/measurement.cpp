@@ -166,10 +166,9 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
 }
 
 /// The detection, measured on all points of the cloud.
-Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection detection) {
+Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection detection, const Params& params = Params()) {
   List<std::uint32_t> all(cloud.size());
   std::iota(all.begin(), all.end(), 0u);
-  const Params params;
   Measurement(cloud, findRays(cloud), params, {noise, noise}, {params, 10.0})
       .measure({all, {}, all.size()}, all, allOf(all), detection);
   return detection;
@@ -307,9 +306,16 @@ TEST(Measurement, NamesWhatAShapeWasTakenForAsItsRival) {
   points.gather(cloud, all);
   detection.extent = measureExtent(detection.shape, points);
   const double wide = 0.02;  // m: all of the cone's points are within reach of the cylinder
-  detection = measuredOn(cloud, {wide, 0.0, 0.5}, detection);
-  ASSERT_EQ(kindOf(detection.shape), Kind::cone);
-  EXPECT_EQ(detection.rival, Kind::cylinder);
+  const Detection cone = measuredOn(cloud, {wide, 0.0, 0.5}, detection);
+  ASSERT_EQ(kindOf(cone.shape), Kind::cone);
+  EXPECT_EQ(cone.rival, Kind::cylinder);
+  // Where nobody wants cones as sharp as this.
+  Params params;
+  params.min_half_angle_deg = kHat.half_angle / kDegree + 3.0;
+  detection.rival.reset();
+  const Detection cylinder = measuredOn(cloud, {wide, 0.0, 0.5}, detection, params);
+  ASSERT_EQ(kindOf(cylinder.shape), Kind::cylinder);
+  EXPECT_EQ(cylinder.rival, Kind::cone);
 }
 
 TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {

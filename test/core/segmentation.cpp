@@ -77,5 +77,22 @@ TEST(Segmentation, RefusesShapesBeyondTheLimits) {
   EXPECT_TRUE(withinLimits(Plane{}, params));
 }
 
+TEST(Segmentation, LeavesSharpConesToThePointsOfTheCloud) {
+  const Cone cup = {Vec3::Zero(), Vec3::UnitX(), 6 * kDegree}, funnel = {Vec3::Zero(), Vec3::UnitX(), 9 * kDegree};
+  Params params;
+  ASSERT_TRUE(withinLimits(cup, params));
+  EXPECT_FALSE(withinLimits(cup, limitsForSamples(params)));
+  EXPECT_TRUE(withinLimits(funnel, limitsForSamples(params)));
+  params.min_half_angle_deg = 12.0;
+  EXPECT_FALSE(withinLimits(funnel, limitsForSamples(params))) << "narrower than asked for";
+  // Nothing else would find it.
+  params.min_half_angle_deg = 5.0;
+  params.detect_cylinders = false;
+  EXPECT_TRUE(withinLimits(cup, limitsForSamples(params)));
+  params.detect_cylinders = true;
+  params.verify = false;
+  EXPECT_TRUE(withinLimits(cup, limitsForSamples(params)));
+}
+
 }  // namespace
 }  // namespace primitect

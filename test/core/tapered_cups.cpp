@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cups that taper by a few degrees, of which a camera sees one side: cones, or cylinders that lean along that side.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "primitect/detector.h"
+#include "test/support/rendered_cloud.h"
+#include "test/support/scenes.h"
+
+namespace primitect {
+namespace {
+
+using test::kDegree;
+
+Eigen::Isometry3d table() { return test::tableBeforeCamera(0.8, 35.0 * kDegree); }
+
+/// Three cups of 12 cm on a table; every other one stands on its rim.
+std::vector<Detection> cupsOf(double half_angle_deg, std::uint64_t seed) {
+  constexpr double kMiddle = 0.04, kHeight = 0.12;  // m, radius at half of the height
+  const double half_angle = half_angle_deg * kDegree;
+  const double middle = kMiddle / std::tan(half_angle), begin = middle - 0.5 * kHeight, end = middle + 0.5 * kHeight;
+  synthetic::World world;
+  world.add("table", synthetic::Sheet{1.0, 0.6}, table());
+  for (int k = 0; k < 3; ++k) {
+    const bool on_rim = (seed + static_cast<std::uint64_t>(k)) % 2 == 0;
+    const Eigen::Isometry3d place = table() * Eigen::Translation3d(0.2 * (k - 1), 0.05 * k, on_rim ? end : -begin) *
+                                    Eigen::AngleAxisd(on_rim ? M_PI : 0.0, Vec3::UnitX());
+    world.add("cup" + std::to_string(k), synthetic::Frustum{half_angle, begin, end}, place);
+  }
+  std::vector<Detection> cups;
+  Detector detector{Params()};
+  for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed)).items) {
+    if (kindOf(item.shape) == Kind::cone || kindOf(item.shape) == Kind::cylinder) cups.push_back(item);
+  }
+  return cups;
+}
+
+/// As cylinders their axes are off by as much as they taper, with a confidence of .99.
+TEST(TaperedCups, AreConesThatStandUpright) {
+  const Vec3 up = table().linear().col(2);
+  int cones = 0;
+  for (const double half_angle_deg : {5.0, 6.0, 8.0}) {
+    for (const std::uint64_t seed : {1, 2}) {
+      const std::vector<Detection> cups = cupsOf(half_angle_deg, seed);
+      ASSERT_EQ(cups.size(), 3u) << half_angle_deg;
+      for (const Detection& cup : cups) {
+        const Cone* cone = std::get_if<Cone>(&cup.shape);
+        if (!cone) continue;
+        ++cones;
+        EXPECT_NEAR(cone->half_angle, half_angle_deg * kDegree, 1.0 * kDegree) << seed;
+        EXPECT_GT(std::abs(cone->axis.dot(up)), std::cos(1.0 * kDegree)) << half_angle_deg << " " << seed;
+      }
+    }
+  }
+  EXPECT_GE(cones, 17) << "of 18";
+}
+
+TEST(TaperedCups, AreCylindersWithAConeForRivalBelowTheLeastHalfAngle) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const std::vector<Detection> cups = cupsOf(3.0, seed);
+    ASSERT_EQ(cups.size(), 3u);
+    for (const Detection& cup : cups) {
+      EXPECT_EQ(kindOf(cup.shape), Kind::cylinder);
+      EXPECT_EQ(cup.rival, Kind::cone);
+    }
+  }
+}
+
+TEST(TaperedCups, AreNotWhereCansStandStraight) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const std::vector<Detection> cans = cupsOf(0.05, seed);
+    ASSERT_EQ(cans.size(), 3u);
+    for (const Detection& can : cans) {
+      EXPECT_EQ(kindOf(can.shape), Kind::cylinder);
+      EXPECT_FALSE(can.rival) << kindName(*can.rival);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace primitect
