@@ -3,15 +3,19 @@
 // Questions about units, frames and intrinsics, and what to expect of noise.
 #include "tools/notes.h"
 
+#include <algorithm>
+
 #include "primitect/noisy_image.h"
 #include "tools/format.h"
 
 namespace primitect::tools {
 namespace {
 
-std::string unitsText(const Detections& found) {
-  constexpr double kMillimetres = 100.0;  // m; no depth camera sees so far
-  if (found.scene_diameter <= kMillimetres) return "";
+/// Of an image in millimetres the range of depths leaves nothing whose size would tell.
+std::string unitsText(const Detections& found, const Cloud& seen) {
+  constexpr float kMillimetres = 100.0f;  // m; no depth camera sees so far
+  const bool all_far = std::none_of(seen.z.begin(), seen.z.end(), [](float z) { return z <= kMillimetres; });
+  if (found.scene_diameter <= kMillimetres && !(seen.valid_count > 0 && all_far)) return "";
   return "  note: lengths are taken for metres; are they millimetres?\n";
 }
 
@@ -90,7 +94,7 @@ std::string ignoredFramesText(const DetectOptions& options) {
 }
 
 std::string notesText(const Detections& found, const DetectInput& input) {
-  return unitsText(found) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found) +
+  return unitsText(found, input.seen()) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found) +
          noiseText(found);
 }
 

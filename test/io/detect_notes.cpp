@@ -32,7 +32,16 @@ TEST_F(DetectNotes, AskWhereUnitsOrFrameCannotBeRight) {
   EXPECT_EQ(run(write("metres.ply", header + metres)), 0);
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
   EXPECT_EQ(run(write("millimetres.ply", header + millimetres)), 0);
-  EXPECT_NE(out.find("note: lengths are taken for metres; are they millimetres?"), std::string::npos) << out;
+  const std::string units = "note: lengths are taken for metres; are they millimetres?";
+  EXPECT_NE(out.find(units), std::string::npos) << out;
+  // Of an image nothing is left within the range of depths.
+  const std::string pcd = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 20\nHEIGHT 20\n";
+  EXPECT_EQ(run(write("millimetres.pcd", pcd + "POINTS 400\nDATA ascii\n" + millimetres)), 0);
+  EXPECT_NE(out.find("nothing found"), std::string::npos) << out;
+  EXPECT_NE(out.find(units), std::string::npos) << out;
+  EXPECT_EQ(run(write("far.pcd", pcd + "POINTS 400\nDATA ascii\n" + metres) + " --min_depth 1.5"), 0);
+  EXPECT_NE(out.find("nothing found"), std::string::npos) << out;
+  EXPECT_EQ(out.find(units), std::string::npos) << out;
   EXPECT_EQ(run(write("table.ply", header + around_origin)), 0);
   EXPECT_NE(out.find("note: 12 % of the points lie behind the sensor (z <= 0)"), std::string::npos) << out;
   std::string hidden = metres;
