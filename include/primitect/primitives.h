@@ -152,8 +152,8 @@ struct Detections {
   std::uint32_t points_used = 0;  ///< of these, measured and within the depth range; of a large image extrapolated
   std::uint32_t samples = 0;      ///< points that voted
   double scene_diameter = 0.0;    ///< d_s (m), see Params::scene_diameter
-  /// Of the image of a depth camera: how far its points stray from surfaces, in standard deviations of structured light,
-  /// up to about five. 0 where this is not measured.
+  /// Of the image of a depth camera: how far its points stray from surfaces, in standard deviations of structured
+  /// light, up to about five. 0 where this is not measured.
   double image_noise = 0.0;
   /// False: the points are not those of a sensor at the origin that looks along z, as is assumed. Then the image cannot
   /// be used, and normals may be turned to the wrong side. Of lists with normals only points behind the sensor tell.

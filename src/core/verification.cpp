@@ -43,9 +43,7 @@ NoiseModel Verification::fullNoise() const {
 
 double Verification::radiusBin() const { return params_.radius_bin * scale_.scene_diameter * scale_.radius_stretch; }
 
-double Verification::largestRadius() const {
-  return std::max(radiusBin() * params_.radius_bins, scale_.view_radius);
-}
+double Verification::largestRadius() const { return std::max(radiusBin() * params_.radius_bins, scale_.view_radius); }
 
 ProposalRules Verification::rules() const {
   // Votes tell a shape to about a bin.

@@ -78,7 +78,7 @@ class Verification {
   /// The normal of that large plane which this plane is most parallel to: what it may stand on; nothing where there is
   /// none.
   std::optional<Vec3> levelOf(const Segment& plane) const;
-  double radiusBin() const;  ///< m
+  double radiusBin() const;      ///< m
   double largestRadius() const;  ///< m, of a shape
 
  private:

@@ -94,8 +94,8 @@ std::string ignoredFramesText(const DetectOptions& options) {
 }
 
 std::string notesText(const Detections& found, const DetectInput& input) {
-  return unitsText(found, input.seen()) + intrinsicsText(input.file) + otherFrameText(found, input) + normalsText(found) +
-         noiseText(found);
+  return unitsText(found, input.seen()) + intrinsicsText(input.file) + otherFrameText(found, input) +
+         normalsText(found) + noiseText(found);
 }
 
 }  // namespace primitect::tools

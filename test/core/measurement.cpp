@@ -166,7 +166,8 @@ TEST(Measurement, KeepsTheShapeWhenItsFitBreaksTheLimits) {
 }
 
 /// The detection, measured on all points of the cloud.
-Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection detection, const Params& params = Params()) {
+Detection measuredOn(const Cloud& cloud, const NoiseModel& noise, Detection detection,
+                     const Params& params = Params()) {
   List<std::uint32_t> all(cloud.size());
   std::iota(all.begin(), all.end(), 0u);
   Measurement(cloud, findRays(cloud), params, {noise, noise}, {params, 10.0})
