@@ -239,6 +239,13 @@ double endFrom(double one, double two, double all, Surface surface) {
   return heightOf(areaUpTo(one, surface) + more, surface);
 }
 
+/// The narrow end of a cone may be its tip, as far as so few points tell: their number has a deviation of its root.
+bool mayBeTip(double end, double one, double two, std::size_t few) {
+  constexpr double kDeviations = 2.0;
+  const double hundredth = areaUpTo(two, Surface::tapered) - areaUpTo(one, Surface::tapered);
+  return areaUpTo(end, Surface::tapered) < kDeviations * std::sqrt(2.0 / static_cast<double>(few)) * hundredth;
+}
+
 AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers, Surface surface,
                      Ends ends) {
   constexpr double kStragglers = 0.01;
@@ -259,8 +266,9 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMost
   std::nth_element(low_two, high_two, high + 1);
   const double to_two = origin + *high_two;
   const double lowest = origin + *std::min_element(heights, low + 1), highest = origin + *std::max_element(high, end);
-  return {std::max(lowest, endFrom(from, from_two, to, surface)),
-          std::min(highest, endFrom(to, to_two, from, surface))};
+  const double low_end = endFrom(from, from_two, to, surface), high_end = endFrom(to, to_two, from, surface);
+  const bool tip = surface == Surface::tapered && mayBeTip(low_end, from, from_two, few);
+  return {tip ? lowest : std::max(lowest, low_end), std::min(highest, high_end)};
 }
 
 /// x of the frame: from the axis towards the side that was seen.

@@ -12,6 +12,7 @@
 #include "core/bent_strip.h"
 #include "core/bias.h"
 #include "core/clear_points.h"
+#include "core/cone_tip.h"
 #include "core/coverage.h"
 #include "core/determination.h"
 #include "core/ends_on_faces.h"
@@ -177,6 +178,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
+  constexpr double kUnresolved = 1.0;  // standard deviations
+  endAtTip(kUnresolved * sigma_(detection.extent.origin), detection.shape, detection.extent);
   endOnFaces(detection);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
