@@ -26,7 +26,8 @@ struct DepthRange {
   }
 };
 
-/// Points of one frame, in metres. A missing point is NaN in x, y and z; a missing normal is NaN in nx, ny and nz.
+/// Points of one frame, in metres. A missing point is NaN in x, y and z, with the sign bit of z where it lay beyond the
+/// far bound of the depth range; a missing normal is NaN in nx, ny and nz.
 struct Cloud {
   std::vector<float> x, y, z;     ///< width * height points, row by row
   std::vector<float> nx, ny, nz;  ///< unit normals as long as x, or empty when the source brought none
@@ -43,6 +44,8 @@ struct Cloud {
     for (auto* values : {&nx, &ny, &nz}) values->clear();
   }
   bool valid(std::size_t i) const { return !std::isnan(z[i]); }
+  /// Something was measured there, or nothing up to there (+inf, REP 117), but beyond the far bound: nothing is nearer.
+  bool isBeyond(std::size_t i) const { return !valid(i) && std::signbit(z[i]); }
 
   /// More than strays lie where a sensor at the origin that looks along z measures nothing: the cloud is in the frame
   /// of something else.
@@ -70,7 +73,7 @@ struct Cloud {
     constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
     x[i] = measured ? px : kMissing;
     y[i] = measured ? py : kMissing;
-    z[i] = measured ? pz : kMissing;
+    z[i] = measured ? pz : range.max > 0.0f && pz > range.max ? -kMissing : kMissing;
     valid_count += measured ? 1u : 0u;
     behind_count += measured && pz <= 0.0f ? 1u : 0u;
   }

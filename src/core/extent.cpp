@@ -243,7 +243,8 @@ double endFrom(double one, double two, double all, Surface surface) {
 bool mayBeTip(double end, double one, double two, std::size_t few) {
   constexpr double kDeviations = 2.0;
   const double hundredth = areaUpTo(two, Surface::tapered) - areaUpTo(one, Surface::tapered);
-  return areaUpTo(end, Surface::tapered) < kDeviations * std::sqrt(2.0 / static_cast<double>(few)) * hundredth;
+  return few > 0 &&
+         areaUpTo(end, Surface::tapered) < kDeviations * std::sqrt(2.0 / static_cast<double>(few)) * hundredth;
 }
 
 AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers, Surface surface,

@@ -32,6 +32,7 @@ class Looking {
     const std::size_t i = index(column, row);
     const double sigma = sigma_(expected);
     if (nearBound(expected, sigma)) return Sight::unknown;
+    if (cloud_.isBeyond(i)) return Sight::behind;
     if (!cloud_.valid(i)) return inHole(column, row, expected, sigma) ? Sight::other : Sight::unknown;
     if (hides(i, expected, sigma)) return Sight::unknown;
     const double away = cloud_.z[i] - expected.z();

@@ -23,8 +23,9 @@ namespace primitect {
 double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                  const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 
-/// Of the same places, the share at which the image shows what lies clearly behind the surface; 0 where there are too
-/// few to tell, and where seenShare() is 1 for all shapes. What is a little nearer, or a hole, is not behind.
+/// Of the same places, the share at which the image shows what lies clearly behind the surface, also beyond the far
+/// bound of the depth; 0 where there are too few to tell, and where seenShare() is 1 for all shapes. What is a little
+/// nearer, or a hole, is not behind.
 double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                    const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 

@@ -268,7 +268,8 @@ struct Loops {
   /// Bytes of `count` points, `step` of them from one to the next, x, y and z first in each: into a list of each.
   void (*takeApart)(const unsigned char* points, std::size_t step, std::size_t count, float* x, float* y, float* z);
 
-  /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds; counts the others.
+  /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds, -NaN of the z of those beyond max_z; counts
+  /// the others.
   MeasuredPoints (*dropUnmeasured)(const PointBounds& bounds, float* x, float* y, float* z, std::size_t count);
 };
 

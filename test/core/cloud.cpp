@@ -29,6 +29,17 @@ TEST(Cloud, TakesZeroAndNotFiniteAndOutOfRangeAsMissing) {
   for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(cloud.valid(i), i >= 7) << i;
 }
 
+TEST(Cloud, RemembersWhatLayBeyondTheFarBound) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const float depths[] = {1.0f, 2.01f, 5.0f, kInfinity, 0.05f, -3.0f, -kInfinity, std::nanf(""), -std::nanf("")};
+  Cloud cloud;
+  cloud.reset(9, 1, false);
+  for (const float max : {2.0f, 0.0f}) {
+    for (std::size_t i = 0; i < 9; ++i) cloud.setPoint(i, 0.1f, 0.0f, depths[i], {0.1f, max});
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(cloud.isBeyond(i), max > 0.0f && 1 <= i && i <= 3) << i << " " << max;
+  }
+}
+
 TEST(Cloud, ChecksPointsInARowAsOneByOne) {
   const float values[] = {0.0f, 0.5f, -1.0f, 1e7f, -1e7f, 1e6f, std::nanf(""), std::numeric_limits<float>::infinity()};
   for (const DepthRange& range :
@@ -49,6 +60,7 @@ TEST(Cloud, ChecksPointsInARowAsOneByOne) {
     for (std::size_t i = 0; i < 512; ++i) {
       ASSERT_EQ(std::isnan(in_a_row.x[i]), !one_by_one.valid(i)) << i;
       ASSERT_EQ(in_a_row.valid(i), one_by_one.valid(i)) << i;
+      ASSERT_EQ(in_a_row.isBeyond(i), one_by_one.isBeyond(i)) << i;
       if (!in_a_row.valid(i)) continue;
       ASSERT_TRUE(in_a_row.x[i] == one_by_one.x[i] && in_a_row.z[i] == one_by_one.z[i]) << i;
     }

@@ -63,6 +63,29 @@ TEST(TubeGaps, CansInALineAreADetectionEach) {
   }
 }
 
+/// Two cans of 12 cm, 8 cm apart, one above the other in free air; a wall far behind them.
+TEST(TubeGaps, CansOneAboveTheOtherAreTwoWhereWhatIsBehindIsOutOfRange) {
+  synthetic::World world;
+  for (const double y : {-0.1, 0.1}) {
+    world.add("can", synthetic::Rod{kRadius, kHalf},
+              Eigen::Translation3d(0.0, y, 0.8) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+  }
+  world.add("wall", synthetic::Sheet{4.0, 4.0}, Eigen::Translation3d(0.0, 0.0, 3.0) * Eigen::Isometry3d::Identity());
+  synthetic::FrameParams params;
+  params.truth.range.max = 4.0f;
+  const Cloud all = test::renderedCloud(world, params, 1);
+  Cloud cut;
+  cut.reset(all.width, all.height, false);
+  for (std::size_t i = 0; i < all.size(); ++i) cut.setPoint(i, all.x[i], all.y[i], all.z[i], {0.1f, 2.0f});
+  std::vector<double> lengths;
+  Detector detector{Params()};
+  for (const Detection& item : detector.detect(cut).items) {
+    if (kindOf(item.shape) == Kind::cylinder) lengths.push_back(item.extent.size.z());
+  }
+  ASSERT_EQ(lengths.size(), 2u);
+  for (const double length : lengths) EXPECT_NEAR(length, 2.0 * kHalf, 0.01);
+}
+
 TEST(TubeGaps, APipeGoesOnBehindAPost) {
   synthetic::World world = tableAlone();
   addRod(0.0, 0.25, world);
