@@ -176,6 +176,7 @@ bool FacesApart::isBehind(std::size_t cell, const LabelledImage& image, const Pl
     for (const std::uint32_t along : {edge_ / 4, 3 * edge_ / 4}) {
       if (row + down > box_.bottom || column + along > box_.right) continue;
       const std::size_t i = static_cast<std::size_t>(row + down) * width_ + column + along;
+      if (image.far_is_behind && image.cloud.isBeyond(i)) ++measured, ++behind;
       if (!image.cloud.valid(i)) continue;
       const Vec3 point(image.cloud.x[i], image.cloud.y[i], image.cloud.z[i]);
       const double least = image.labels[i] > 0 ? kOnAnother : kClearly;

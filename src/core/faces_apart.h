@@ -21,6 +21,8 @@ struct LabelledImage {
   const Cloud& cloud;
   const std::vector<std::uint32_t>& labels;
   const NoiseModel& noise;
+  /// What lies beyond the far bound of the depth lies behind the plane that is asked for: that comes nowhere near it.
+  bool far_is_behind;
 };
 
 /// The points of one plane in an image, in square cells of some pixels. Faces are one where they touch over three

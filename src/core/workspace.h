@@ -133,6 +133,7 @@ struct Detector::Workspace {
   std::uint32_t addPart(const Shape& shape, std::size_t of);
   bool giveToParts(const List<AxisPart>& parts, std::size_t of, const Cloud& whole, const List<LabelRun>& runs);
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
+  bool endsBeforeTheBound(std::size_t plane) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
   void giveToFaces(const PlaneInImage& plane, const List<LabelRun>& runs);
   List<std::size_t> mostPoints() const;

@@ -38,11 +38,22 @@ List<Detector::Workspace::PlaneInImage> Detector::Workspace::planesInImage(const
   return planes;
 }
 
+/// By so much that noise takes none of its points beyond.
+bool Detector::Workspace::endsBeforeTheBound(std::size_t plane) const {
+  constexpr double kDeviations = 2.0 * kInlierDeviations;
+  const Cloud& cloud = thinned.cloud();
+  const auto reaches = [&](std::uint32_t i) {
+    const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
+    return rangeOf(params).endsWithin(kDeviations * verification.noise().at(point), point.z());
+  };
+  return std::none_of(points[plane].index.begin(), points[plane].index.end(), reaches);
+}
+
 /// In cells half as wide, too, while much is left over: faces may be too narrow for those before. But smaller cells
 /// also see a path where another surface passes through the plane, and find fewer faces then.
 void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane) {
   constexpr double kStrips = 0.7;  // at the border of whole planes: of 5 x 5 cells .64
-  const LabelledImage image = {thinned.cloud(), labels, verification.noise()};
+  const LabelledImage image = {thinned.cloud(), labels, verification.noise(), endsBeforeTheBound(plane.of)};
   const Plane& shape = std::get<Plane>(result.items[plane.of].shape);
   const auto tooWide = [](const FacesApart& faces) {
     return faces.left() > (faces.faces().size() > 1 ? kMuch : kStrips);

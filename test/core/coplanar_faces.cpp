@@ -188,5 +188,39 @@ TEST(CoplanarFaces, AreLookedForInSmallerCells) {
   }
 }
 
+/// In free air, with nothing behind within the range.
+TEST(CoplanarFaces, AreApartWhereWhatLiesBetweenWasCutAway) {
+  synthetic::World world;
+  for (const double x : {-0.15, 0.15}) world.add("board", synthetic::Sheet{0.1, 0.15}, at(x, 0.0, 0.9));
+  Detector detector{Params()};
+  const std::vector<Detection>& boards = detector.detect(test::cloudBeforeFarWall(world, 1)).items;
+  ASSERT_EQ(boards.size(), 2u);
+  for (const Detection& board : boards) {
+    EXPECT_EQ(kindOf(board.shape), Kind::plane);
+    EXPECT_NEAR(board.extent.size.x(), 0.3, 0.01);
+    EXPECT_NEAR(board.extent.size.y(), 0.2, 0.01);
+  }
+}
+
+/// A wall that comes near the bound: of its waves half are cut away.
+TEST(CoplanarFaces, AreNoneWhereTheCameraTakesPointsBeyondTheRange) {
+  synthetic::World world;
+  world.add("wall", synthetic::Sheet{0.4, 0.3}, at(0.0, 0.0, 1.998));
+  synthetic::FrameParams params;
+  params.truth.range.max = 3.0f;
+  params.noise.scale = 0.2;
+  const Cloud all = test::renderedCloud(world, params, 1);
+  Cloud cut;
+  cut.reset(all.width, all.height, false);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto longer = static_cast<float>(1.0 + 0.004 * std::sin(10.0 * 2.0 * M_PI * all.x[i]));
+    cut.setPoint(i, longer * all.x[i], longer * all.y[i], longer * all.z[i], {0.1f, 2.0f});
+  }
+  Detector detector{Params()};
+  const std::vector<Detection>& walls = detector.detect(cut).items;
+  ASSERT_EQ(walls.size(), 1u);
+  EXPECT_NEAR(walls[0].extent.size.x(), 0.8, 0.06);
+}
+
 }  // namespace
 }  // namespace primitect

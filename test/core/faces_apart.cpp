@@ -18,7 +18,7 @@ const NoiseModel kNoise = {0.0, 0.002};
 
 /// An image as it is drawn, each character a square of pixels: `#` the wall, `.` 20 cm behind it, `+` 20 cm before it,
 /// `-` and `:` 11 and 14 mm behind it, where six standard deviations are 12, `_` a point of something else 3 mm behind
-/// it, a space for nothing measured.
+/// it, `*` what was cut away at 2 m, a space for nothing measured.
 class Image {
  public:
   explicit Image(const std::vector<std::string>& drawing, std::uint32_t pixels = 8) {
@@ -31,17 +31,17 @@ class Image {
       labels_.push_back(drawn == '#' ? 1 : drawn == '_' ? 2 : 0);
       const float z = depthOf(drawn);
       cloud_.setPoint(i, z * (0.002f * static_cast<float>(column) - 0.2f),
-                      z * (0.002f * static_cast<float>(row) - 0.2f), z, {});
+                      z * (0.002f * static_cast<float>(row) - 0.2f), z, {0.0f, 2.0f});
     }
   }
 
-  FacesApart faces(std::size_t least = 64, const Plane& wall = kWall) const {
+  FacesApart faces(std::size_t least = 64, const Plane& wall = kWall, bool far_is_behind = true) const {
     const List<LabelRun> runs = labelRuns(labels_);
     FacesApart result(boxesOfLabels(runs, 1, width_).front(), width_);
     for (const LabelRun& run : runs) {
       if (run.label == 1) result.add(run);
     }
-    result.find({cloud_, labels_, kNoise}, wall, least);
+    result.find({cloud_, labels_, kNoise, far_is_behind}, wall, least);
     return result;
   }
 
@@ -69,6 +69,8 @@ class Image {
         return 1.014f;
       case '_':
         return 1.003f;
+      case '*':
+        return 3.0f;
       default:
         return 0.0f;
     }
@@ -88,6 +90,17 @@ TEST(FacesApart, AreThoseBetweenWhichIsSeenWhatLiesBehind) {
                      ".###...####.",  //
                      "............"});
   EXPECT_EQ(image.counts(), (Counts{12 * 64, 9 * 64})) << "the larger one first";
+}
+
+TEST(FacesApart, AreThoseBetweenWhichWhatWasCutAwayLiesFarBehind) {
+  const Image image({"************",  //
+                     "*###***####*",  //
+                     "*###***####*",  //
+                     "*###***####*",  //
+                     "************"});
+  EXPECT_EQ(image.counts(), (Counts{12 * 64, 9 * 64}));
+  // The plane comes near to the bound: noise may have taken the points between.
+  EXPECT_TRUE(image.faces(64, kWall, false).faces().empty());
 }
 
 TEST(FacesApart, HoldTheirPointsAndNoOthers) {

@@ -70,16 +70,9 @@ TEST(TubeGaps, CansOneAboveTheOtherAreTwoWhereWhatIsBehindIsOutOfRange) {
     world.add("can", synthetic::Rod{kRadius, kHalf},
               Eigen::Translation3d(0.0, y, 0.8) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
   }
-  world.add("wall", synthetic::Sheet{4.0, 4.0}, Eigen::Translation3d(0.0, 0.0, 3.0) * Eigen::Isometry3d::Identity());
-  synthetic::FrameParams params;
-  params.truth.range.max = 4.0f;
-  const Cloud all = test::renderedCloud(world, params, 1);
-  Cloud cut;
-  cut.reset(all.width, all.height, false);
-  for (std::size_t i = 0; i < all.size(); ++i) cut.setPoint(i, all.x[i], all.y[i], all.z[i], {0.1f, 2.0f});
   std::vector<double> lengths;
   Detector detector{Params()};
-  for (const Detection& item : detector.detect(cut).items) {
+  for (const Detection& item : detector.detect(test::cloudBeforeFarWall(world, 1)).items) {
     if (kindOf(item.shape) == Kind::cylinder) lengths.push_back(item.extent.size.z());
   }
   ASSERT_EQ(lengths.size(), 2u);
