@@ -60,7 +60,8 @@ struct Cloud {
   /// The same without making them missing: every point must be set or checked, and with normals every normal set.
   void prepare(std::uint32_t new_width, std::uint32_t new_height, bool with_normals);
 
-  /// Sets both counts from the points, for those who wrote x, y and z themselves.
+  /// Sets both counts from the points, for those who wrote x, y and z themselves: with a z of +NaN where nothing is
+  /// known.
   void countPoints();
 
   /// Farther than this (m) in x, y or z is no measurement: squares would leave the range of float.
