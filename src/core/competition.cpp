@@ -227,6 +227,8 @@ class Fits {
 }  // namespace
 
 bool Limits::hold(const Shape& shape) const {
+  const Cone* cone = std::get_if<Cone>(&shape);
+  if (cone && cone->half_angle < min_half_angle_deg * M_PI / 180.0) return false;
   return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape).value_or(0.0) <= max_radius;
 }
 

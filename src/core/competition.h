@@ -16,7 +16,8 @@ namespace primitect {
 /// What a shape may be.
 struct Limits {
   const Params& params;
-  double max_radius;  ///< m, besides params.max_radius
+  double max_radius;                ///< m, besides params.max_radius
+  double min_half_angle_deg = 0.0;  ///< besides params.min_half_angle_deg
 
   bool hold(const Shape& shape) const;
 };

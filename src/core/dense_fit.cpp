@@ -150,6 +150,12 @@ std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, Po
   return fit ? fit : refineOnce(few, points, errors);
 }
 
+/// A cone that the limits refuse for its half angle.
+static bool isTooSharp(const Shape& shape, const Params& params) {
+  const Cone* cone = std::get_if<Cone>(&shape);
+  return cone && params.detect_cones && cone->half_angle < params.min_half_angle_deg * M_PI / 180.0;
+}
+
 PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   // What a fit to few points may lack of the agreement that one to all has is far less; others are not fitted to all:
   // .5 % fewer instructions of a tabletop, .8 % of a paper scene.
@@ -158,7 +164,7 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
   const FitPoints few = areMany(points) ? points.thinned(kFew) : FitPoints();
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   Shape best = shape;
-  double most = kNone, most_of_refused_cones = kNone;
+  double most = kNone, most_of_sharp = kNone;
   const auto worthOf = [&](const Shape& fitted) { return agreement(fitted, points) - count * priceOf(fitted, shape); };
   for (Shape start : startsAround(shape, points)) {
     if (areMany(points)) {
@@ -170,11 +176,12 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
     const double worth = worthOf(*fitted);
     if (limits.hold(*fitted)) {
       if (worth > most) most = worth, best = *fitted;
-    } else if (kindOf(*fitted) == Kind::cone && limits.params.detect_cones) {
-      most_of_refused_cones = std::max(most_of_refused_cones, worth);
+    } else if (isTooSharp(*fitted, limits.params)) {
+      most_of_sharp = std::max(most_of_sharp, worth);
     }
   }
-  return {best, most_of_refused_cones > most};
+  if (kindOf(best) != Kind::cylinder) return {best, false};
+  return {best, most_of_sharp > std::max(most, worthOf(best))};
 }
 
 }  // namespace primitect

@@ -42,7 +42,8 @@ std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, Po
 /// What points make of a shape.
 struct PointsChoice {
   Shape shape;
-  bool as_sharp_cone = false;  ///< a cone explains them better, but its half angle is beyond the limits
+  /// It is a cylinder, and a cone that is sharper than the limits explains them better.
+  bool as_sharp_cone = false;
 };
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

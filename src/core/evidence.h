@@ -3,12 +3,14 @@
 // Gathering what speaks for and against a chosen hypothesis, and how sure it makes us.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/frame_memory.h"
 #include "core/hypothesis.h"
 #include "core/sample_graph.h"
 #include "primitect/evidence.h"
+#include "primitect/params.h"
 
 namespace primitect {
 
@@ -22,6 +24,16 @@ Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const 
 /// Probability that the shape is there and of this kind, [0, 1]: logistic regression over the evidence of detections in
 /// simulated scenes whose truth is known (eval/calibrate).
 double confidenceOf(Kind kind, const Evidence& evidence);
+
+/// The confidence that decides what competes, and what others end at or are a part of: not more than even chances,
+/// whatever more is asked of what is reported. With 0.8 what grows more likely later would be gone early.
+inline double leastWhileChoosing(const Params& params) { return std::min(params.min_confidence, 0.5); }
+
+/// The same params with that.
+inline Params whileChoosing(Params params) {
+  params.min_confidence = leastWhileChoosing(params);
+  return params;
+}
 
 /// Of the samples that spoke for all of a shape this share is the part's.
 void takeShare(double share, Detection& part);

@@ -239,12 +239,16 @@ double endFrom(double one, double two, double all, Surface surface) {
   return heightOf(areaUpTo(one, surface) + more, surface);
 }
 
-/// The narrow end of a cone may be its tip, as far as so few points tell: their number has a deviation of its root.
-bool mayBeTip(double end, double one, double two, std::size_t few) {
-  constexpr double kDeviations = 2.0;
-  const double hundredth = areaUpTo(two, Surface::tapered) - areaUpTo(one, Surface::tapered);
-  return few > 0 &&
-         areaUpTo(end, Surface::tapered) < kDeviations * std::sqrt(2.0 / static_cast<double>(few)) * hundredth;
+/// The narrow end of a cone (heights from its apex): one that may be its tip, as far as so few points tell, whose
+/// number has a deviation of its root, lies at the outermost point, at the next one where the outermost is a straggler;
+/// any other at `end`. one, two: heights that one and two hundredths of the points, `few` each, lie beyond.
+double narrowEnd(double end, double outermost, double next, double one, double two, std::size_t few) {
+  constexpr double kDeviations = 2.0, kStraggler = 4.0;  // times the surface that there is for each point
+  if (few == 0) return std::max(outermost, end);
+  const auto areaOf = [](double height) { return areaUpTo(height, Surface::tapered); };
+  const double hundredth = areaOf(two) - areaOf(one), count = static_cast<double>(few);
+  if (areaOf(end) >= kDeviations * std::sqrt(2.0 / count) * hundredth) return std::max(outermost, end);
+  return areaOf(next) - areaOf(outermost) > kStraggler * hundredth / count ? next : outermost;
 }
 
 AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers, Surface surface,
@@ -256,20 +260,24 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMost
   float *const end = heights + inliers.count, *const low = heights + few, *const high = end - 1 - few;
   const double origin = (inliers.origin - point).dot(axis);
   std::nth_element(heights, low, end);
-  const double from = origin + *low;
+  // Those before `low` lie beyond it still, and will; with less than a hundred points it is the lowest itself.
+  const double from = origin + *low, lowest = origin + *std::min_element(heights, low + 1);
   std::nth_element(low, high, end);
   const double to = origin + *high;
   if (ends == Ends::without_stragglers) return {from, to};
-  // Those before `low` and after `high` lie beyond them still.
+  const double highest = origin + *std::max_element(high, end);
+  float* const second = heights + std::min<std::size_t>(few, 1);
+  std::nth_element(heights, second, low);
+  const double next = second == low ? from : origin + *second;
   float *const low_two = low + few, *const high_two = high - few;
   std::nth_element(low, low_two, high + 1);
   const double from_two = origin + *low_two;
   std::nth_element(low_two, high_two, high + 1);
   const double to_two = origin + *high_two;
-  const double lowest = origin + *std::min_element(heights, low + 1), highest = origin + *std::max_element(high, end);
   const double low_end = endFrom(from, from_two, to, surface), high_end = endFrom(to, to_two, from, surface);
-  const bool tip = surface == Surface::tapered && mayBeTip(low_end, from, from_two, few);
-  return {tip ? lowest : std::max(lowest, low_end), std::min(highest, high_end)};
+  const double first =
+      surface == Surface::tapered ? narrowEnd(low_end, lowest, next, from, from_two, few) : std::max(lowest, low_end);
+  return {first, std::min(highest, high_end)};
 }
 
 /// x of the frame: from the axis towards the side that was seen.

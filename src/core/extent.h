@@ -21,8 +21,9 @@ Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPo
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline = {});
 
 /// The same of a cylinder or a cone to its ends: from where the outer 1 % begin on by as much surface as the next 1 %
-/// cover, but not beyond the outermost point; stragglers stretch it by no more than that. Of other kinds the extent
-/// stays as it is.
+/// cover, but not beyond the outermost point; stragglers stretch it by no more than that. A cone's narrow end that
+/// may be its tip, as far as the number of points tells, lies at the outermost that is no straggler. Of other kinds the
+/// extent stays as it is.
 void measureToTheEnds(const Shape& shape, const SeenPoints& inliers, Extent& extent);
 
 /// The same shape with a sign of its axis that does not flip from frame to frame: a cylinder's points up in the image

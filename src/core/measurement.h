@@ -59,8 +59,11 @@ class Measurement {
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);
-  void endOnFaces(Detection& detection) const;
+  void endAtFacesOrTip(Detection& detection) const;
+  Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found,
+             const PointsChoice& from);
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found);
+  double trustInSizeOf(const Shape& fit) const;
 
   const Cloud& cloud_;
   ImageRays rays_;

@@ -41,9 +41,9 @@ std::optional<double> radiusOf(const Shape& shape);
 /// The shape's size is within the limits of params.
 bool withinLimits(const Shape& shape, const Params& params);
 
-/// The limits that candidates are held to: samples are too few to tell a cone sharper than 8 deg from a cylinder. As a
-/// cylinder it is found, and the points of the cloud make a cone of it (refineOnPoints()). The same params where
-/// nothing is verified, or cylinders are not wanted.
+/// The limits of candidates from votes, and of what samples of lists are taken for: these are too few to tell a cone
+/// sharper than 8 deg from a cylinder. As a cylinder it is found, and the points of the cloud make a cone of it
+/// (refineOnPoints()). The same params where nothing is verified, or cylinders are not wanted.
 Params limitsForSamples(const Params& params);
 
 }  // namespace primitect

@@ -45,13 +45,19 @@ double Verification::radiusBin() const { return params_.radius_bin * scale_.scen
 
 double Verification::largestRadius() const { return std::max(radiusBin() * params_.radius_bins, scale_.view_radius); }
 
+/// A depth camera's samples do tell: cones of .35 m that taper by 6 or 7 deg would come out as two cylinders.
+Limits Verification::sampleLimits() const {
+  const double sharpest = noise_.ofDepthCamera() ? 0.0 : limitsForSamples(params_).min_half_angle_deg;
+  return {params_, largestRadius(), sharpest};
+}
+
 ProposalRules Verification::rules() const {
   // Votes tell a shape to about a bin.
   constexpr double kMostWiden = 3.0;
   const double typical =
       noise_.ofDepthCamera() && samples_.size() > 0 ? noise_.at(samples_.point(samples_.size() / 2)) : noise_.distance;
   const double widen = std::clamp(radiusBin() / (kInlierDeviations * typical), 1.0, kMostWiden);
-  ProposalRules rules = {noise_, {params_, largestRadius()}, widen, params_.pair_distance * scale_.scene_diameter};
+  ProposalRules rules = {noise_, sampleLimits(), widen, params_.pair_distance * scale_.scene_diameter};
   rules.fitted_normals = scale_.fitted_normals && noise_measured_;
   return rules;
 }

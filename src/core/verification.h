@@ -91,6 +91,7 @@ class Verification {
   /// How many samples a shape needs at least.
   std::size_t needed() const { return static_cast<std::size_t>(params_.min_inliers); }
   bool isUnlikely(const Segment& segment) const { return segment.confidence < params_.min_confidence; }
+  Limits sampleLimits() const;
   ProposalRules rules() const;
   ProposalRules quickRules() const;
   void selectAgain();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/arrangement.h"
+#include "core/evidence.h"
 #include "core/faces_apart.h"
 #include "core/frame_memory.h"
 #include "core/labeling.h"
@@ -34,7 +35,7 @@ struct Detector::Workspace {
   explicit Workspace(const Params& checked_params)
       : params(checked_params),
         voting(limitsForSamples(checked_params)),
-        verification(limitsForSamples(checked_params)),
+        verification(whileChoosing(checked_params)),
         search(voting, verification, [this](const char* stage) { done(stage); }) {}
 
   void done(const char* stage) const {

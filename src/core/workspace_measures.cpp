@@ -7,6 +7,7 @@
 
 #include "core/bent_part.h"
 #include "core/clear_points.h"
+#include "core/evidence.h"
 #include "core/extent.h"
 #include "core/far_sides.h"
 #include "core/strip.h"
@@ -184,7 +185,7 @@ void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
   if (!depth_camera) return;
   for (std::size_t k = 0; k < result.items.size(); ++k) {
     for (std::size_t other = 0; other < result.items.size(); ++other) {
-      if (!measured[k] || !measured[other] || result.items[other].confidence < params.min_confidence) continue;
+      if (!measured[k] || !measured[other] || result.items[other].confidence < leastWhileChoosing(params)) continue;
       const bool bent = isBentPart(result.items[k], result.items[other], verification.noise());
       if (bent) result.items[k].confidence = 0.0f;
     }

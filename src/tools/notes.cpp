@@ -12,10 +12,16 @@ namespace primitect::tools {
 namespace {
 
 /// Of an image in millimetres the range of depths leaves nothing whose size would tell.
+bool isFarImage(const Detections& found, const Cloud& seen, float far) {
+  constexpr double kNearlyAll = 0.9;
+  if (found.points_used > 0) return false;
+  const auto count = std::count_if(seen.z.begin(), seen.z.end(), [far](float z) { return z > far; });
+  return static_cast<double>(count) > kNearlyAll * seen.valid_count;
+}
+
 std::string unitsText(const Detections& found, const Cloud& seen) {
-  constexpr float kMillimetres = 100.0f;  // m; no depth camera sees so far
-  const bool all_far = std::none_of(seen.z.begin(), seen.z.end(), [](float z) { return z <= kMillimetres; });
-  if (found.scene_diameter <= kMillimetres && !(seen.valid_count > 0 && all_far)) return "";
+  constexpr double kMillimetres = 100.0;  // m; no depth camera sees so far
+  if (found.scene_diameter <= kMillimetres && !isFarImage(found, seen, kMillimetres)) return "";
   return "  note: lengths are taken for metres; are they millimetres?\n";
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "primitect/detector.h"
 #include "synthetic/clutter.h"
@@ -143,6 +144,26 @@ TEST(ClutteredTables, ShowAsManyCurvedThingsInImagesOfAnyHeight) {
   }
   ASSERT_GE(whole, 20);
   for (const int found : fewer_rows) EXPECT_GE(found, whole - 2);
+}
+
+/// More would be asked of what becomes likely later, too, and it would be gone.
+TEST(ClutteredTables, LoseWithAHigherLeastConfidenceOnlyWhatIsBelow) {
+  std::size_t lost = 0;
+  for (const std::uint64_t seed : {2301, 2302, 2303, 2304}) {
+    const Cloud cloud = tableCloud(seed);
+    Params params;
+    Detector detector{params};
+    std::vector<double> expected, found;
+    params.min_confidence = 0.97;
+    for (const Detection& item : detector.detect(cloud).items) {
+      if (item.confidence >= params.min_confidence) expected.push_back(item.confidence);
+    }
+    lost += detector.result().items.size() - expected.size();
+    Detector bounded{params};
+    for (const Detection& item : bounded.detect(cloud).items) found.push_back(item.confidence);
+    EXPECT_EQ(found, expected) << seed;
+  }
+  EXPECT_GT(lost, 0u) << "or it asks nothing";
 }
 
 }  // namespace

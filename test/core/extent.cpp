@@ -119,6 +119,39 @@ TEST(Extent, OfAConeGoesToItsTip) {
   EXPECT_LT(tips, 0.04 * 0.1);
 }
 
+/// Of a stump (m, heights from the apex) with so many points, and so many stragglers between its top and the apex.
+int timesStretched(double top, int count, int stragglers) {
+  const Cone cone = {Vec3(0, -0.1, 1.0), Vec3(0, 1, 0), std::atan(0.5)};
+  int stretched = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    std::vector<Vec3> points;
+    for (int k = 0; k < stragglers; ++k) points.push_back(pointOn(cone, 0.004 + 0.001 * k, 0.3).point);
+    while (static_cast<int>(points.size()) < count) {
+      const double height = 0.2 * std::sqrt(random.uniform(0.0, 1.0));
+      if (height > top) points.push_back(pointOn(cone, height, random.uniform(0.0, M_PI)).point);
+    }
+    stretched += toTheEnds(cone, points).radius_small < 0.25 * top ? 1 : 0;
+  }
+  return stretched;
+}
+
+TEST(Extent, OfAStumpIsHardlyEverStretchedByStragglers) {
+  for (const int count : {300, 2000}) {
+    EXPECT_LE(timesStretched(0.028, count, 1), 2) << "as far as the number of points tells, it may be a tip";
+  }
+  EXPECT_EQ(timesStretched(0.08, 2000, 3), 0) << "it is none";
+}
+
+TEST(Extent, OfFewPointsGoesToTheEnds) {
+  for (const int count : {20, 60, 99}) {
+    Random random(44);
+    const Cylinder cylinder = {Vec3(0.1, 0.2, 1.0), Vec3(0, -1, 0), 0.05};
+    const Extent extent = toTheEnds(cylinder, pointsOf(patchOf(cylinder, count, 0.02, 0.14, random)));
+    EXPECT_NEAR(extent.size.z(), 0.12, 3.0 * 0.12 / count) << "a hundredth of so few is none";
+  }
+}
+
 TEST(Extent, OfACylinderGoesToItsEnds) {
   Random random(43);
   const Cylinder cylinder = {Vec3(0.1, 0.2, 1.0), Vec3(0, -1, 0), 0.05};
