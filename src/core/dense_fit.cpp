@@ -184,4 +184,11 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
   return {best, most_of_sharp > std::max(most, worthOf(best))};
 }
 
+std::optional<Cylinder> asCylinder(const Shape& shape, const Vec3& middle) {
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return *cylinder;
+  const Cone* cone = std::get_if<Cone>(&shape);
+  const auto side = cone ? seenSide(*cone, middle) : std::nullopt;
+  return side ? std::optional<Cylinder>(straightened(*cone, *side)) : std::nullopt;
+}
+
 }  // namespace primitect

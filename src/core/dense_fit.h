@@ -50,4 +50,8 @@ struct PointsChoice {
 /// points a cylinder and a cone that tapers little can be told apart: both are tried for either, and a ball for both.
 PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits);
 
+/// The cylinder that a cylinder is, or that touches a cone along the line that its points lie around. middle: of the
+/// points (m). Nothing of other kinds.
+std::optional<Cylinder> asCylinder(const Shape& shape, const Vec3& middle);
+
 }  // namespace primitect

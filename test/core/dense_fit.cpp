@@ -179,6 +179,19 @@ TEST(RefineOnPoints, SaysWhereAConeThatIsSharperThanTheLimitsWouldBeBetter) {
   EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).as_sharp_cone);
 }
 
+TEST(AsCylinder, TouchesAConeAlongTheLineThatThePointsLieAround) {
+  const Cone cone = taperedCan(6.0 * kDegree);
+  const test::SurfacePoint seen = test::pointOn(cone, kCan.radius / std::tan(cone.half_angle), 0.7);
+  const std::optional<Cylinder> cylinder = asCylinder(cone, seen.point + 0.003 * seen.normal);
+  ASSERT_TRUE(cylinder);
+  EXPECT_LT(std::abs(distance(*cylinder, seen.point)), 0.001);
+  EXPECT_GT(normalAt(*cylinder, seen.point).dot(seen.normal), std::cos(0.1 * kDegree));
+  EXPECT_GT(cylinder->axis.dot((seen.point - cone.apex).normalized()), std::cos(0.1 * kDegree));
+  EXPECT_NEAR(cylinder->radius, kCan.radius / std::cos(cone.half_angle), 0.001);
+  EXPECT_EQ(asCylinder(kCan, seen.point)->radius, kCan.radius);
+  EXPECT_FALSE(asCylinder(Sphere{Vec3::Zero(), 0.1}, seen.point));
+}
+
 TEST(RefineOnPoints, KeepsAShapeThatCannotBeFitted) {
   const Sphere ball = {Vec3(0, 0, 1), 0.1};
   for (const std::size_t count : {0, 1, 2}) {
