@@ -159,12 +159,12 @@ static bool isTooSharp(const Shape& shape, const Params& params) {
 PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   // What a fit to few points may lack of the agreement that one to all has is far less; others are not fitted to all:
   // .5 % fewer instructions of a tabletop, .8 % of a paper scene.
-  constexpr double kFarBehind = 0.01;  // of the points
+  constexpr double kFarBehind = 0.01, kClose = 0.005;  // of the points
   const double count = static_cast<double>(points.size());
   const FitPoints few = areMany(points) ? points.thinned(kFew) : FitPoints();
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   Shape best = shape;
-  double most = kNone, most_of_sharp = kNone;
+  double most = kNone, most_of_cones = kNone;
   const auto worthOf = [&](const Shape& fitted) { return agreement(fitted, points) - count * priceOf(fitted, shape); };
   for (Shape start : startsAround(shape, points)) {
     if (areMany(points)) {
@@ -174,14 +174,14 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
     const std::optional<Shape> fitted = refineOnce(start, points, PointErrors::across);
     if (!fitted) continue;
     const double worth = worthOf(*fitted);
-    if (limits.hold(*fitted)) {
-      if (worth > most) most = worth, best = *fitted;
-    } else if (isTooSharp(*fitted, limits.params)) {
-      most_of_sharp = std::max(most_of_sharp, worth);
-    }
+    const bool holds = limits.hold(*fitted);
+    if (holds && worth > most) most = worth, best = *fitted;
+    // One that holds may come second by as little.
+    if (holds && kindOf(*fitted) == Kind::cone) most_of_cones = std::max(most_of_cones, worth + kClose * count);
+    if (isTooSharp(*fitted, limits.params)) most_of_cones = std::max(most_of_cones, worth);
   }
   if (kindOf(best) != Kind::cylinder) return {best, false};
-  return {best, most_of_sharp > std::max(most, worthOf(best))};
+  return {best, most_of_cones > std::max(most, worthOf(best))};
 }
 
 std::optional<Cylinder> asCylinder(const Shape& shape, const Vec3& middle) {

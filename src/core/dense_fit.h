@@ -42,8 +42,8 @@ std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, Po
 /// What points make of a shape.
 struct PointsChoice {
   Shape shape;
-  /// It is a cylinder, and a cone that is sharper than the limits explains them better.
-  bool as_sharp_cone = false;
+  /// It is a cylinder, and a cone explains them nearly as well, or better but is sharper than the limits.
+  bool or_cone = false;
 };
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

@@ -127,7 +127,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
     SeenPoints seen = within(ObservedPart(found.shape, found.extent), clear_, tolerated_);
     if (enoughClear(seen.size(), clear_.size())) clear_ = std::move(seen);
   }
-  Fit fit = {fittedToClear(from.shape), 1.0, from.as_sharp_cone};
+  Fit fit = {fittedToClear(from.shape), 1.0, from.or_cone};
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
@@ -183,7 +183,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
-  if (fit.as_sharp_cone) detection.rival = Kind::cone;
+  if (fit.or_cone) detection.rival = Kind::cone;
   const double share = leaveOutThinEnds(detection.shape);
   detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
   detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));

@@ -49,8 +49,8 @@ class Measurement {
  private:
   struct Fit {
     Shape shape;
-    double most_trust;   ///< in its size, see trustInSize()
-    bool as_sharp_cone;  ///< see PointsChoice
+    double most_trust;  ///< in its size, see trustInSize()
+    bool or_cone;       ///< see PointsChoice
   };
 
   bool isFittedAlongRays(const Shape& shape) const;

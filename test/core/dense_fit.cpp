@@ -167,16 +167,16 @@ TEST(RefineOnPoints, SaysWhereAConeThatIsSharperThanTheLimitsWouldBeBetter) {
   };
   const PointsChoice of_tapered = choice(samplesOfTapered(10.0 * kDegree, 1000, 52));
   EXPECT_EQ(kindOf(of_tapered.shape), Kind::cylinder);
-  EXPECT_TRUE(of_tapered.as_sharp_cone);
-  EXPECT_FALSE(choice(samplesOfCan(1000, 53)).as_sharp_cone);
+  EXPECT_TRUE(of_tapered.or_cone);
+  EXPECT_FALSE(choice(samplesOfCan(1000, 53)).or_cone);
   params.max_radius = 0.0495;  // the fit of the can is beyond: that is no cone
-  EXPECT_FALSE(choice(samplesOfCan(1000, 53)).as_sharp_cone);
+  EXPECT_FALSE(choice(samplesOfCan(1000, 53)).or_cone);
   params.max_radius = 0.0;
   params.min_half_angle_deg = 4.0, params.max_half_angle_deg = 8.0;
-  EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).as_sharp_cone) << "it is blunter";
+  EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).or_cone) << "it is blunter";
   params.min_half_angle_deg = 12.0, params.max_half_angle_deg = 65.0;
   params.detect_cones = false;  // nobody asks
-  EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).as_sharp_cone);
+  EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).or_cone);
 }
 
 TEST(AsCylinder, TouchesAConeAlongTheLineThatThePointsLieAround) {

@@ -78,6 +78,19 @@ TEST(TaperedCups, AreNotLostWhereTheyAreSmallAndFar) {
   EXPECT_GE(found, 57u) << "of 90, of which a quarter has too few points";
 }
 
+TEST(TaperedCups, AreCylindersWithAConeForRivalWhereFewPointsAreSeen) {
+  int cylinders = 0, doubtful = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const Detection& cup : cupsOf(5.0, seed, 0.8, 1.3)) {
+      if (kindOf(cup.shape) != Kind::cylinder) continue;
+      ++cylinders;
+      doubtful += cup.rival == Kind::cone ? 1 : 0;
+    }
+  }
+  EXPECT_GE(cylinders, 20);
+  EXPECT_GE(doubtful, 0.82 * cylinders) << "26 of 34 without those that hold";
+}
+
 TEST(TaperedCups, AreNotWhereCansStandStraight) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const std::vector<Detection> cans = cupsOf(0.05, seed);
