@@ -227,8 +227,7 @@ class Fits {
 }  // namespace
 
 bool Limits::hold(const Shape& shape) const {
-  const Cone* cone = std::get_if<Cone>(&shape);
-  if (cone && cone->half_angle < min_half_angle_deg * M_PI / 180.0) return false;
+  if (isSharper(shape, min_half_angle_deg)) return false;
   return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape).value_or(0.0) <= max_radius;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/fitting.h"
 #include "core/seen_side.h"
+#include "core/segmentation.h"
 #include "core/tapered.h"
 
 namespace primitect {
@@ -150,12 +151,6 @@ std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, Po
   return fit ? fit : refineOnce(few, points, errors);
 }
 
-/// A cone that the limits refuse for its half angle.
-static bool isTooSharp(const Shape& shape, const Params& params) {
-  const Cone* cone = std::get_if<Cone>(&shape);
-  return cone && params.detect_cones && cone->half_angle < params.min_half_angle_deg * M_PI / 180.0;
-}
-
 PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {
   // What a fit to few points may lack of the agreement that one to all has is far less; others are not fitted to all:
   // .5 % fewer instructions of a tabletop, .8 % of a paper scene.
@@ -177,10 +172,11 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
     const bool holds = limits.hold(*fitted);
     if (holds && worth > most) most = worth, best = *fitted;
     // One that holds may come second by as little.
-    if (holds && kindOf(*fitted) == Kind::cone) most_of_cones = std::max(most_of_cones, worth + kClose * count);
-    if (isTooSharp(*fitted, limits.params)) most_of_cones = std::max(most_of_cones, worth);
+    const double allowed = holds ? kClose * count : 0.0;
+    const bool wanted = holds || isSharper(*fitted, limits.params.min_half_angle_deg);
+    if (kindOf(*fitted) == Kind::cone && wanted) most_of_cones = std::max(most_of_cones, worth + allowed);
   }
-  if (kindOf(best) != Kind::cylinder) return {best, false};
+  if (kindOf(best) != Kind::cylinder || !limits.params.detect_cones) return {best, false};
   return {best, most_of_cones > std::max(most, worthOf(best))};
 }
 

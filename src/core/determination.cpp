@@ -4,7 +4,6 @@
 #include "core/determination.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/ramp.h"
 
@@ -23,8 +22,6 @@ struct Bounds {
 constexpr Bounds kSphere = {0.025, 0.05}, kCylinder = {0.06, 0.12};
 /// Rad. Measured: .045 of cones that are there, .1 to .4 of clutter.
 constexpr Bounds kCone = {0.06, 0.12};
-/// Of a sharper one, so much less as it is sharper: it must still be told from a cylinder.
-constexpr double kBlunt = 10.0 * M_PI / 180.0;
 
 }  // namespace
 
@@ -36,7 +33,7 @@ double trustInSize(const Shape& shape, const Uncertainty& uncertainty) {
     return kCylinder.trustAt(uncertainty.radius_stddev / cylinder->radius);
   }
   const Cone* cone = std::get_if<Cone>(&shape);
-  return cone ? kCone.trustAt(uncertainty.half_angle_stddev * std::max(1.0, kBlunt / cone->half_angle)) : 1.0;
+  return cone ? kCone.trustAt(uncertainty.half_angle_stddev * std::max(1.0, kSharpCone / cone->half_angle)) : 1.0;
 }
 
 }  // namespace primitect

@@ -260,15 +260,15 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMost
   float *const end = heights + inliers.count, *const low = heights + few, *const high = end - 1 - few;
   const double origin = (inliers.origin - point).dot(axis);
   std::nth_element(heights, low, end);
-  // Those before `low` lie beyond it still, and will; with less than a hundred points it is the lowest itself.
-  const double from = origin + *low, lowest = origin + *std::min_element(heights, low + 1);
+  const double from = origin + *low;
   std::nth_element(low, high, end);
   const double to = origin + *high;
   if (ends == Ends::without_stragglers) return {from, to};
+  // Those before `low` and after `high` lie beyond them still. Of less than a hundred points there are none, and `low`
+  // is not where it was.
   const double highest = origin + *std::max_element(high, end);
-  float* const second = heights + std::min<std::size_t>(few, 1);
-  std::nth_element(heights, second, low);
-  const double next = second == low ? from : origin + *second;
+  std::partial_sort(heights, heights + std::min<std::size_t>(few, 2), low);
+  const double lowest = few > 0 ? origin + heights[0] : from, next = few > 1 ? origin + heights[1] : from;
   float *const low_two = low + few, *const high_two = high - few;
   std::nth_element(low, low_two, high + 1);
   const double from_two = origin + *low_two;

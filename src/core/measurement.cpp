@@ -146,10 +146,10 @@ double Measurement::trustInSizeOf(const Shape& fit) const {
 /// in six would be lost, and now and then a tin.
 Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface,
                                      const Detection& found) {
-  constexpr double kSharp = 10.0 * M_PI / 180.0, kDoubtful = 0.5;
+  constexpr double kDoubtful = 0.5;
   const Fit fit = fitted(clear, on_surface, found, start(found));
   const Cone* cone = std::get_if<Cone>(&fit.shape);
-  if (!cone || cone->half_angle > kSharp) return fit;
+  if (!cone || cone->half_angle > kSharpCone) return fit;
   if (std::min(fit.most_trust, trustInSizeOf(fit.shape)) > kDoubtful) return fit;
   const std::optional<Cylinder> cylinder = asCylinder(found.shape, fit_points_.middle());
   return cylinder && limits_.hold(*cylinder) ? fitted(clear, on_surface, found, {*cylinder, true}) : fit;

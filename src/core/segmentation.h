@@ -41,9 +41,15 @@ std::optional<double> radiusOf(const Shape& shape);
 /// The shape's size is within the limits of params.
 bool withinLimits(const Shape& shape, const Params& params);
 
-/// The limits of candidates from votes, and of what samples of lists are taken for: these are too few to tell a cone
-/// sharper than 8 deg from a cylinder. As a cylinder it is found, and the points of the cloud make a cone of it
-/// (refineOnPoints()). The same params where nothing is verified, or cylinders are not wanted.
-Params limitsForSamples(const Params& params);
+/// A cone with a smaller half angle than this.
+bool isSharper(const Shape& shape, double half_angle_deg);
+
+/// The least half angle (deg) of candidates from votes, and of what samples of lists are taken for: these are too few
+/// to tell a cone sharper than 8 deg from a cylinder. As a cylinder it is found, and the points of the cloud make a
+/// cone of it (refineOnPoints()). That of params where nothing is verified, or cylinders are not wanted.
+double sharpestOfSamples(const Params& params);
+
+/// The same params with that.
+Params limitsForSamples(Params params);
 
 }  // namespace primitect

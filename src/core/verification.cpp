@@ -47,7 +47,7 @@ double Verification::largestRadius() const { return std::max(radiusBin() * param
 
 /// A depth camera's samples do tell: cones of .35 m that taper by 6 or 7 deg would come out as two cylinders.
 Limits Verification::sampleLimits() const {
-  const double sharpest = noise_.ofDepthCamera() ? 0.0 : limitsForSamples(params_).min_half_angle_deg;
+  const double sharpest = noise_.ofDepthCamera() ? 0.0 : sharpestOfSamples(params_);
   return {params_, largestRadius(), sharpest};
 }
 

@@ -42,11 +42,15 @@ List<Detector::Workspace::PlaneInImage> Detector::Workspace::planesInImage(const
 bool Detector::Workspace::endsBeforeTheBound(std::size_t plane) const {
   constexpr double kDeviations = 2.0 * kInlierDeviations;
   const Cloud& cloud = thinned.cloud();
+  const List<std::uint32_t>& index = points[plane].index;
+  if (index.empty()) return true;
+  const auto byDepth = [&cloud](std::uint32_t a, std::uint32_t b) { return cloud.z[a] < cloud.z[b]; };
   const auto reaches = [&](std::uint32_t i) {
     const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
     return rangeOf(params).endsWithin(kDeviations * verification.noise().at(point), point.z());
   };
-  return std::none_of(points[plane].index.begin(), points[plane].index.end(), reaches);
+  const auto [nearest, farthest] = std::minmax_element(index.begin(), index.end(), byDepth);
+  return !reaches(*nearest) && !reaches(*farthest);
 }
 
 /// In cells half as wide, too, while much is left over: faces may be too narrow for those before. But smaller cells
