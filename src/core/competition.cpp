@@ -21,13 +21,24 @@ bool enabled(Kind kind, const Params& params) {
   return switches[static_cast<std::size_t>(kind)];
 }
 
-/// A tube so thin that the edge of a table, rounded by a depth camera or by how normals are fitted, looks the same.
+/// Of a tube or a cone, about the place of these points; nothing of other kinds.
+std::optional<double> radiusAbout(const Vec3& place, const Shape& shape) {
+  if (const Cone* cone = std::get_if<Cone>(&shape)) {
+    return std::abs((place - cone->apex).dot(cone->axis)) * std::tan(cone->half_angle);
+  }
+  const Cylinder* tube = std::get_if<Cylinder>(&shape);
+  return tube ? std::optional<double>(tube->radius) : std::nullopt;
+}
+
+/// A tube or a cone so thin that the edge of a table, rounded by a depth camera or by how normals are fitted, looks the
+/// same. Measured on a recorded board (calibration pattern, no curved shape) mirrored, scaled and with noise added:
+/// without it for cones 9 % of the results carry a curved shape, with it 3 %, and of what is there none is lost.
 bool tooThin(const Shape& shape, const Moments& moments, double sigma, const ProposalRules& rules) {
   constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
   constexpr double kOfEdge = 0.8;       // length of the mean normal: over a right angle .9, over half a turn .64
-  const Cylinder* tube = std::get_if<Cylinder>(&shape);
   const bool rounded = rules.noise.ofDepthCamera() || (rules.fitted_normals && moments.mean_normal.norm() > kOfEdge);
-  return rounded && tube && tube->radius < kLeastRadius * sigma;
+  const std::optional<double> radius = rounded ? radiusAbout(moments.mean_point, shape) : std::nullopt;
+  return radius && *radius < kLeastRadius * sigma;
 }
 
 /// A plane through the camera is seen as a line. What lies in it is one row or column of an image.

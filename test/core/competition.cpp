@@ -18,17 +18,8 @@ NoiseModel depthCamera() {
   return noise;
 }
 
-/// The kind that wins on a patch of a tube that faces the sensor at this depth (m).
-std::optional<Kind> winnerOnTube(double radius, double depth, double noise_along_rays = 0.0) {
-  Random random(81);
-  const Cylinder tube = {Vec3(0, 0, depth + radius), Vec3::UnitX(), radius};
-  std::vector<test::SurfacePoint> points;
-  for (int i = 0; i < 150; ++i) {
-    const double turn = random.uniform(-1.2, 1.2);  // rad, as far as a camera sees it
-    const Vec3 normal(0, std::sin(turn), -std::cos(turn));
-    const Vec3 stray(0, 0, noise_along_rays * random.gaussian());
-    points.push_back({tube.point + Vec3(random.uniform(-0.1, 0.1), 0, 0) + radius * normal + stray, normal});
-  }
+/// The kind that wins on these points, from the plane across the line of sight at this depth (m).
+std::optional<Kind> winnerOn(const std::vector<test::SurfacePoint>& points, double depth) {
   const NoiseModel noise = depthCamera();
   const Samples samples = test::samplesWith(noise, points);
   const Params params;
@@ -38,6 +29,30 @@ std::optional<Kind> winnerOnTube(double radius, double depth, double noise_along
   if (!bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rules, hypothesis)) return {};
   return kindOf(hypothesis.shape);
 }
+
+/// A patch of .2 m of a rod across the line of sight, as far round as a camera sees it; its front is at this depth (m).
+/// In the middle it has this radius (m), and it tapers by an angle (rad, 0: a tube).
+struct Rod {
+  double radius, depth, taper = 0.0, noise_along_rays = 0.0;
+
+  std::vector<test::SurfacePoint> points() const {
+    Random random(81);
+    std::vector<test::SurfacePoint> points;
+    for (int i = 0; i < 150; ++i) {
+      const double turn = random.uniform(-1.2, 1.2);  // rad
+      const Vec3 out(0, std::sin(turn), -std::cos(turn));
+      const Vec3 stray(0, 0, noise_along_rays * random.gaussian());
+      const double along = random.uniform(-0.1, 0.1);
+      const Vec3 on_axis(along, 0, depth + radius);
+      const Vec3 normal = std::cos(taper) * out - std::sin(taper) * Vec3::UnitX();
+      points.push_back({on_axis + (radius + along * std::tan(taper)) * out + stray, normal});
+    }
+    return points;
+  }
+};
+
+/// The kind that wins on it.
+std::optional<Kind> winnerOn(const Rod& rod) { return winnerOn(rod.points(), rod.depth); }
 
 /// Of a strip 1 m away, so narrow that its noise tilts a plane through its points by 6 deg across.
 std::vector<test::SurfacePoint> askewStrip(double turn_of_normals) {
@@ -97,7 +112,7 @@ TEST(Competition, LaysAPlaneThroughThePointsWhereNormalsAgreeWithThem) {
 TEST(Competition, FindsAThinTubeThatTurnsFar) {
   // 17 mm at 1 m are 9 standard deviations of the noise; over a patch that turns by 138 degrees the points stray by 1.7
   // of them across the plane through them.
-  EXPECT_EQ(winnerOnTube(0.017, 1.0), Kind::cylinder);
+  EXPECT_EQ(winnerOn(Rod{0.017, 1.0}), Kind::cylinder);
 }
 
 /// Whether so much (rad) of a tube wins, with noise that is everywhere the same, a fifth of the radius.
@@ -176,11 +191,18 @@ TEST(Competition, FindsItFromInside) {
   }
 }
 
+// The noise of points 1.8 m away and more is 5 mm: 28 mm are less than 6.5 times that, 40 mm are more.
+constexpr double kFar = 1.8, kNoise = 0.004;
+
 TEST(Competition, TakesNoCylinderForARoundedEdgeFarAway) {
-  // The noise of its points, 1.8 m away and more, is 5 mm: 28 mm are less than 6.5 times that, 40 mm are more.
-  constexpr double kFar = 1.8, kNoise = 0.004;
-  EXPECT_NE(winnerOnTube(0.028, kFar, kNoise), Kind::cylinder);
-  EXPECT_EQ(winnerOnTube(0.040, kFar, kNoise), Kind::cylinder);
+  EXPECT_NE(winnerOn(Rod{0.028, kFar, 0.0, kNoise}), Kind::cylinder);
+  EXPECT_EQ(winnerOn(Rod{0.040, kFar, 0.0, kNoise}), Kind::cylinder);
+}
+
+TEST(Competition, TakesNoConeForARoundedEdgeFarAwayThatTapers) {
+  constexpr double kTaper = 8.0 * test::kDegree;  // 14 mm over a half of its length
+  EXPECT_NE(winnerOn(Rod{0.028, kFar, kTaper, kNoise}), Kind::cone);
+  EXPECT_EQ(winnerOn(Rod{0.040, kFar, kTaper, kNoise}), Kind::cone);
 }
 
 }  // namespace
