@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/ball_band.h"
 #include "core/curvature.h"
 #include "core/fitting.h"
 #include "core/segmentation.h"
@@ -39,6 +40,18 @@ bool tooThin(const Shape& shape, const Moments& moments, double sigma, const Pro
   const bool rounded = rules.noise.ofDepthCamera() || (rules.fitted_normals && moments.mean_normal.norm() > kOfEdge);
   const std::optional<double> radius = rounded ? radiusAbout(moments.mean_point, shape) : std::nullopt;
   return radius && *radius < kLeastRadius * sigma;
+}
+
+/// A band of a ball so narrow that noise hides how it curves across: the rim of a pot looks the same, as normals from
+/// windows wider than the rim turn away at its edges. Of fifty simulated pots with rims of 15 to 30 mm 17 have a ball
+/// there without it and 8 with it. From an elongation of 3 on a recorded bowl under a can goes missing.
+bool isBand(const Shape& shape, const Moments& moments, double sigma, const NoiseModel& noise) {
+  constexpr double kElongation = 4.0;
+  constexpr double kLeastRise = 1.2;  // standard deviations of the noise
+  const Sphere* ball = std::get_if<Sphere>(&shape);
+  if (!ball || !noise.ofDepthCamera()) return false;
+  const BallBand band = bandOn(*ball, moments.mean_point, moments.points);
+  return band.elongation > kElongation && band.rise < kLeastRise * sigma;
 }
 
 /// A plane through the camera is seen as a line. What lies in it is one row or column of an image.
@@ -196,6 +209,7 @@ class Fits {
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
     if (!rules_.limits.hold(*shape) || tooThin(*shape, moments_, points_.meanSigma(), rules_)) return false;
+    if (isBand(*shape, moments_, points_.meanSigma(), rules_.noise)) return false;
     if (edgeOn(*shape, points_.middle(), rules_.noise)) return false;
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);

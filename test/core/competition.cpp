@@ -54,6 +54,20 @@ struct Rod {
 /// The kind that wins on it.
 std::optional<Kind> winnerOn(const Rod& rod) { return winnerOn(rod.points(), rod.depth); }
 
+/// Of a ball of 90 mm whose front is 1 m away: what lies as far (m) above and below, and as far round as a camera sees.
+std::vector<test::SurfacePoint> bandOfBall(double half_width) {
+  constexpr double kRadius = 0.09;
+  Random random(85);
+  std::vector<test::SurfacePoint> points;
+  for (int i = 0; i < 200; ++i) {
+    const double turn = random.uniform(-1.2, 1.2), up = random.uniform(-half_width, half_width) / kRadius;
+    const double level = std::sqrt(1.0 - up * up);
+    const Vec3 normal(level * std::sin(turn), up, -level * std::cos(turn));
+    points.push_back({Vec3(0, 0, 1.0 + kRadius) + kRadius * normal, normal});
+  }
+  return points;
+}
+
 /// Of a strip 1 m away, so narrow that its noise tilts a plane through its points by 6 deg across.
 std::vector<test::SurfacePoint> askewStrip(double turn_of_normals) {
   constexpr double kAskew = 0.1;  // rad
@@ -189,6 +203,12 @@ TEST(Competition, FindsItFromInside) {
     arc.params.convexity = "both";
     EXPECT_EQ(arc.winner(), Kind::cone) << seed;
   }
+}
+
+TEST(Competition, TakesNoBallForABandThatMayBeARim) {
+  // The noise is 2 mm: 11 mm either side of the middle the surface is .7 mm behind it, 40 mm to the side 9 mm.
+  EXPECT_NE(winnerOn(bandOfBall(0.011), 1.0), Kind::sphere);
+  EXPECT_EQ(winnerOn(bandOfBall(0.040), 1.0), Kind::sphere);
 }
 
 // The noise of points 1.8 m away and more is 5 mm: 28 mm are less than 6.5 times that, 40 mm are more.
