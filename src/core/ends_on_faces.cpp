@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/extent.h"
+#include "core/axis_extent.h"
 #include "core/observed_part.h"
 
 namespace primitect {
@@ -14,14 +14,6 @@ namespace {
 bool holds(const Detection& plane, const Vec3& place, double margin) {
   const Eigen::Vector3f p = place.cast<float>();
   return ObservedPart(plane.shape, plane.extent).holds(p.x(), p.y(), p.z(), static_cast<float>(margin));
-}
-
-/// side: 1 for the end that the axis points to, -1 for the other one.
-void lengthen(double by, double side, const Shape& shape, Extent& extent) {
-  extent.size.z() += by;
-  extent.origin += 0.5 * side * by * extent.rotation.col(2);
-  const Cone* cone = std::get_if<Cone>(&shape);
-  if (cone) (side > 0.0 ? extent.radius : extent.radius_small) += side * by * std::tan(cone->half_angle);
 }
 
 }  // namespace
@@ -42,7 +34,8 @@ void endOn(const Detection& plane, double reach, const Shape& shape, Extent& ext
     const bool near = longer > -reach && longer < kReachBefore * reach;
     if (!near || std::abs(longer) > kMostOfLength * half) continue;
     // What stands on a face, or ends with it, has its axis on it, as well as its outline is known.
-    if (holds(plane, extent.origin + along * axis, reach)) lengthen(longer, side, shape, extent);
+    if (!holds(plane, extent.origin + along * axis, reach)) continue;
+    moveEnds(side < 0.0 ? -longer : 0.0, side > 0.0 ? longer : 0.0, shape, extent);
   }
 }
 

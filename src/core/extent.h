@@ -5,13 +5,11 @@
 
 #include <vector>
 
+#include "core/axis_extent.h"
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// Cylinders and cones: the extent has a length along z, and two ends.
-inline bool hasAxis(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone; }
 
 /// Extent of the part where the inliers lie (m). A few stragglers do not stretch it: along an axis the outer 1 % at
 /// either end are left out. outermost: more of the inliers, which a plane's outline is to hold unless they lie apart
@@ -20,10 +18,7 @@ Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPo
                      std::vector<Vec3> outline);
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<Vec3> outline = {});
 
-/// The same of a cylinder or a cone to its ends: from where the outer 1 % begin on by as much surface as the next 1 %
-/// cover, but not beyond the outermost point; stragglers stretch it by no more than that. A cone's narrow end that
-/// may be its tip, as far as the number of points tells, lies at the outermost that is no straggler. Of other kinds the
-/// extent stays as it is.
+/// The same of a cylinder or a cone to its ends (axis_extent.h). Of other kinds the extent stays as it is.
 void measureToTheEnds(const Shape& shape, const SeenPoints& inliers, Extent& extent);
 
 /// The same shape with a sign of its axis that does not flip from frame to frame: a cylinder's points up in the image

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/along_rays.h"
+#include "core/bent_ends.h"
 #include "core/bent_strip.h"
 #include "core/bias.h"
 #include "core/clear_points.h"
@@ -195,6 +196,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
+  endWhereItBends(points_, sigma_, detection.shape, detection.extent);
   endAtFacesOrTip(detection);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));

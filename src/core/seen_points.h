@@ -83,6 +83,11 @@ struct SomePoints {
   /// With what fills up.
   std::size_t filled() const { return wholeLanes(count); }
   Vec3 point(std::size_t k) const { return origin + Vec3(x[k], y[k], z[k]); }
+  Vec3 mean() const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < count; ++k) sum += Vec3(x[k], y[k], z[k]);
+    return origin + sum / static_cast<double>(count);
+  }
 };
 
 /// Distances to a shape and its outward normals at so many points.

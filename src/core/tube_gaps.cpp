@@ -35,16 +35,11 @@ Detection shortened(const Detection& tube, const AxisPart& part) {
   result.shape = tube.shape;
   result.concave = tube.concave;
   result.extent = tube.extent;
-  keepTo(part, result.extent);
+  keepTo(part, tube.shape, result.extent);
   return result;
 }
 
 }  // namespace
-
-void keepTo(const AxisPart& part, Extent& extent) {
-  extent.origin += 0.5 * (part.low + part.high) * extent.rotation.col(2);
-  extent.size.z() = part.high - part.low;
-}
 
 List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const Cloud& image,
                            const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {

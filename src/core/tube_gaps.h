@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "core/axis_extent.h"
 #include "core/frame_memory.h"
 #include "core/image_rays.h"
 #include "core/point_noise.h"
@@ -12,16 +13,6 @@
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// A length of an axis (m, from the extent's origin).
-struct AxisPart {
-  float low, high;
-
-  bool holds(float height) const { return height >= low && height <= high; }
-};
-
-/// The extent of that part of what this one is the extent of.
-void keepTo(const AxisPart& part, Extent& extent);
 
 /// The parts of a cylinder or cone, in rising order, between which the image of a depth camera shows what lies behind
 /// where the surface would be. A gap that something hides parts nothing: a pipe goes on behind a post. pixels: its

@@ -63,7 +63,7 @@ bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t o
     label_of[thing.part] = label;
     Detection& item = result.items[label - 1];
     item = tube;
-    keepTo(thing.seen, item.extent);
+    keepTo(thing.seen, item.shape, item.extent);
     far_sides[label - 1] = far_sides[of];
     // What speaks for the only one is not less for some crumbs beside it.
     if (things.size() > 1) takeShare(static_cast<double>(thing.count) / seen, item);
