@@ -33,7 +33,7 @@ STEPS = (
     Step("measure", "points on far sides", ("markFarSides",)),
     Step("measure", "points of each shape, clear ones", ("pointsOfLabels", "ClearPoints::", "LevelTops")),
     Step("measure", "last fit", ("Measurement::fitted",)),
-    Step("measure", "extent, outline", ("measureExtent", "measureToTheEnds")),
+    Step("measure", "extent, outline", ("measureExtent", "measureToTheEnds", "endWhereItBends")),
     Step("measure", "coverage", ("measureCoverage",)),
     Step("measure", "share that the image shows", ("seenShare",)),
     Step("measure", "truncation", ("TruncationFinder::",)),
