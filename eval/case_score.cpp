@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "eval/cloud_vectors.h"
 #include "eval/faces.h"
 #include "eval/segcomp.h"
 
@@ -83,7 +82,7 @@ Vec3 middleOf(const Cloud& cloud, const std::vector<int>& labels, int label) {
   int count = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] != label || !cloud.valid(i)) continue;
-    sum += pointAt(cloud, i);
+    sum += cloud.point(i);
     ++count;
   }
   return count > 0 ? Vec3(sum / count) : sum;

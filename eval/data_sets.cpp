@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "eval/cloud_vectors.h"
 #include "eval/cut_out.h"
 #include "eval/tabletop_frames.h"
 #include "eval/variants.h"
@@ -72,7 +71,7 @@ void takeNoiseAway(Cloud& scored, const std::vector<TrueShape>& truth, const std
   for (std::size_t i = 0; i < scored.size(); ++i) {
     if (surface[i] < 0) continue;
     const Shape& shape = truth[surface[i]].shape;
-    const Vec3 point = project(shape, pointAt(scored, i));
+    const Vec3 point = project(shape, scored.point(i));
     const Eigen::Vector3f p = point.cast<float>(), normal = normalAt(shape, point).cast<float>();
     scored.x[i] = p.x(), scored.y[i] = p.y(), scored.z[i] = p.z();
     scored.setNormal(i, normal.x(), normal.y(), normal.z());

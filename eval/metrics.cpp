@@ -8,8 +8,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "eval/cloud_vectors.h"
-
 namespace primitect::eval {
 namespace {
 
@@ -30,7 +28,7 @@ std::vector<int> assign(const Cloud& cloud, const std::vector<Shape>& shapes, co
   std::vector<int> labels(cloud.size(), -1);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
-    const Vec3 point = pointAt(cloud, i), normal = normalAt(cloud, i);
+    const Vec3 point = cloud.point(i), normal = cloud.normal(i);
     double closest = rules.max_distance;
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       const double away = std::abs(distance(shapes[k], point));
@@ -48,7 +46,7 @@ Distances measureDistances(const Cloud& cloud, const std::vector<Shape>& shapes,
   Distances distances{unknown, unknown};
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
-    const Vec3 point = pointAt(cloud, i);
+    const Vec3 point = cloud.point(i);
     double closest = std::numeric_limits<double>::infinity();
     for (const Shape& shape : shapes) closest = std::min(closest, std::abs(distance(shape, point)));
     distances.closest[i] = static_cast<float>(closest);
@@ -63,7 +61,7 @@ double objectDistance(const Cloud& cloud, const std::vector<int>& labels, int la
   int count = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] != label || !cloud.valid(i)) continue;
-    const Vec3 point = pointAt(cloud, i);
+    const Vec3 point = cloud.point(i);
     sum += (project(truth, point) - project(found, point)).norm();
     ++count;
   }

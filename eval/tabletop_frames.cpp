@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "eval/cloud_vectors.h"
 #include "eval/measured_normals.h"
 #include "primitect/transforms.h"
 #include "synthetic/clutter.h"
@@ -155,7 +154,7 @@ Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
       without_shape.push_back(i);
       continue;
     }
-    const Vec3 point = pointAt(scored, i);
+    const Vec3 point = scored.point(i);
     const Eigen::Vector3f normal = normalAt(shapes[frame.surface[i]], point).cast<float>();
     scored.setNormal(i, normal.x(), normal.y(), normal.z());
   }

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "eval/case_score.h"
-#include "eval/cloud_vectors.h"
 #include "eval/methods.h"
 #include "eval/tabletop_frames.h"
 
@@ -181,9 +180,9 @@ TEST(Recipe, InARobotsFrameTheTruthMovesWithThePoints) {
     const int t = robot.surface[i];
     if (t < 0) continue;
     ++points;
-    const Vec3 point = pointAt(robot.scored, i), seen = pointAt(camera.scored, i);
+    const Vec3 point = robot.scored.point(i), seen = camera.scored.point(i);
     ASSERT_LT(distance(robot.truth[t].shape, point), distance(camera.truth[t].shape, seen) + 1e-5) << i;
-    const Vec3 normal = normalAt(robot.scored, i);
+    const Vec3 normal = robot.scored.normal(i);
     ASSERT_NEAR(normal.dot(normalAt(robot.truth[t].shape, point)), 1.0, 1e-3) << i;
     // The camera looks 38 deg down from 1.3 m.
     ASSERT_NEAR(point.z(), 1.3 - std::sin(38.0 * M_PI / 180) * seen.z() - std::cos(38.0 * M_PI / 180) * seen.y(), 1e-5);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "eval/cloud_vectors.h"
 #include "eval/peers/peer_cloud.h"
 #include "eval/peers/points.h"
 #include "eval/test/peers_find.h"
@@ -93,7 +92,7 @@ TEST(PeerCloud, HasNormalsOfTheCloudInQuestionNotOfTheOneBefore) {
     const Cloud& cloud = peerCloud(frame);
     ASSERT_TRUE(cloud.hasNormals());
     const std::size_t center = 60 * 160 + 80;
-    EXPECT_LT(angleDeg(normalAt(cloud, center), -normal), 0.1);
+    EXPECT_LT(angleDeg(cloud.normal(center), -normal), 0.1);
   }
 }
 

@@ -43,6 +43,9 @@ struct Cloud {
   void dropNormals() {
     for (auto* values : {&nx, &ny, &nz}) values->clear();
   }
+  Eigen::Vector3d point(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  /// Of clouds that have normals.
+  Eigen::Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
   bool valid(std::size_t i) const { return !std::isnan(z[i]); }
   /// Something was measured there, or nothing up to there (+inf, REP 117), but beyond the far bound: nothing is nearer.
   bool isBeyond(std::size_t i) const { return !valid(i) && std::signbit(z[i]); }

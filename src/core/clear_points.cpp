@@ -146,7 +146,7 @@ bool ClearPoints::mayEndBeside(const List<std::uint32_t>& points) const {
 }
 
 bool ClearPoints::endsBeside(const Shape& shape, std::uint32_t point) const {
-  const Vec3 here(cloud_.x[point], cloud_.y[point], cloud_.z[point]);
+  const Vec3 here = cloud_.point(point);
   const double reach = kReachOfCut * noise_.at(here);
   if (!cut_.endsWithin(2.0 * reach, here.z())) return false;
   // By where its ray meets the surface: noise moves points, and what is below them, but no rays.

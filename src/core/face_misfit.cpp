@@ -6,17 +6,13 @@
 #include <algorithm>
 
 namespace primitect {
-namespace {
-
-Vec3 pointOf(const Cloud& cloud, std::uint32_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-
-}  // namespace
+namespace {}  // namespace
 
 double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma) {
   constexpr double kMost = 9.0;
   double sum = 0.0;
   for (const std::uint32_t i : points) {
-    const Vec3 point = pointOf(cloud, i);
+    const Vec3 point = cloud.point(i);
     const double away = distance(plane, point) / sigma(point);
     sum += std::min(away * away, kMost);
   }
@@ -26,7 +22,7 @@ double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane
 double misfitByNoise(const Cloud& cloud, const List<std::uint32_t>& points, const Vec3& normal) {
   double sum = 0.0;
   for (const std::uint32_t i : points) {
-    const double across = normal.dot(pointOf(cloud, i)) / cloud.z[i];
+    const double across = normal.dot(cloud.point(i)) / cloud.z[i];
     sum += across * across;
   }
   return sum;

@@ -15,8 +15,6 @@ namespace {
 
 constexpr int kEmpty = -2, kWaiting = -1;  // in place of the number of a piece
 
-Vec3 pointOf(const Cloud& cloud, std::uint32_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-
 /// More than chance makes of it, and than the waves of a depth camera do.
 double margin(const List<std::uint32_t>& points) {
   constexpr double kSure = 15.0, kWaves = 0.03;
@@ -33,7 +31,7 @@ LevelTops::Grid::Grid(const Cloud& cloud, const Plane& plane, const List<std::ui
   low.setConstant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
   for (const std::uint32_t i : points) {
-    const Vec3 point = pointOf(cloud, i);
+    const Vec3 point = cloud.point(i);
     const Eigen::Vector2d place(across.dot(point), down.dot(point));
     low = low.cwiseMin(place), high = high.cwiseMax(place);
   }
@@ -61,7 +59,7 @@ void LevelTops::findPieces(const Cloud& cloud, const List<std::uint32_t>& points
   cell_of.reserve(points.size());
   piece_of_cell_.assign(static_cast<std::size_t>(grid_.cells) * grid_.cells, kEmpty);
   for (const std::uint32_t i : points) {
-    cell_of.push_back(grid_.cellAt(pointOf(cloud, i)));
+    cell_of.push_back(grid_.cellAt(cloud.point(i)));
     piece_of_cell_[cell_of.back()] = kWaiting;
   }
   int count = 0;
@@ -85,7 +83,7 @@ void LevelTops::findPieces(const Cloud& cloud, const List<std::uint32_t>& points
   for (std::size_t k = 0; k < points.size(); ++k) {
     Piece& piece = pieces_[piece_of_cell_[cell_of[k]]];
     piece.points.push_back(points[k]);
-    piece.mean += pointOf(cloud, points[k]);
+    piece.mean += cloud.point(points[k]);
   }
   for (Piece& piece : pieces_) piece.mean /= static_cast<double>(piece.points.size());
 }

@@ -74,12 +74,11 @@ void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Sam
 
 std::optional<Vec3> planeNormal(const Cloud& cloud, const List<std::uint32_t>& points) {
   if (points.size() < 3) return std::nullopt;
-  const auto at = [&cloud](std::uint32_t i) { return Vec3(cloud.x[i], cloud.y[i], cloud.z[i]); };
-  const Vec3 origin = at(points.front());
+  const Vec3 origin = cloud.point(points.front());
   Vec3 sum = Vec3::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   for (const std::uint32_t i : points) {
-    const Vec3 offset = at(i) - origin;
+    const Vec3 offset = cloud.point(i) - origin;
     sum += offset;
     squares.noalias() += offset * offset.transpose();
   }
@@ -124,7 +123,7 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
     source.neighbors->nearest(cloud, samples.index[i], kNearest, nearest);
     double radius = 0.0;
     for (const std::uint32_t k : nearest) {
-      radius = std::max(radius, (Vec3(cloud.x[k], cloud.y[k], cloud.z[k]) - samples.point(i)).norm());
+      radius = std::max(radius, (cloud.point(k) - samples.point(i)).norm());
     }
     radii.push_back(radius);
   }

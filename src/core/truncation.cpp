@@ -65,10 +65,8 @@ class Walk {
     return static_cast<std::size_t>(pixel.row) * cloud_.width + static_cast<std::size_t>(pixel.column);
   }
 
-  Vec3 point(std::size_t i) const { return {cloud_.x[i], cloud_.y[i], cloud_.z[i]}; }
-
   /// Along the ray: on a slanted surface that is what the noise of the depth is, and not its distance.
-  bool onSurface(std::size_t i) const { return std::abs(cloud_.z[i] - depth_) < kOnSurface * sigma_(point(i)); }
+  bool onSurface(std::size_t i) const { return std::abs(cloud_.z[i] - depth_) < kOnSurface * sigma_(cloud_.point(i)); }
 
   /// Noise lets the surface end a little before the bound, and farther into a gap it may have ended for other reasons.
   bool outOfRange(const Pixel& pixel, int gap) const {
@@ -83,7 +81,7 @@ class Walk {
     constexpr double kSteepest = 3.0;  // depth by distance across: at 72 deg to the view
     const double across = gap * std::max(std::abs(rays_.x_scale), std::abs(rays_.y_scale)) * depth_;
     const double nearest = std::min(depth_, last_depth_ - kSteepest * across);
-    return cloud_.z[i] < nearest - kNoise * sigma_(point(i));
+    return cloud_.z[i] < nearest - kNoise * sigma_(cloud_.point(i));
   }
 
   const Cloud& cloud_;

@@ -23,7 +23,7 @@ List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pix
 /// Where the point lies along the tube's axis (m, from the extent's origin).
 inline float heightOn(const Detection& tube, const Cloud& cloud, std::uint32_t i) {
   const Vec3 axis = tube.extent.rotation.col(2), &from = tube.extent.origin;
-  return static_cast<float>(axis.dot(Vec3(cloud.x[i], cloud.y[i], cloud.z[i]) - from));
+  return static_cast<float>(axis.dot(cloud.point(i) - from));
 }
 
 }  // namespace primitect

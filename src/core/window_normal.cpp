@@ -93,7 +93,7 @@ struct WindowErrors {
 
 std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width,
                                          const PixelPitch& pitch, double noise_scale) {
-  const Vec3 center(cloud.x[pixel], cloud.y[pixel], cloud.z[pixel]);
+  const Vec3 center = cloud.point(pixel);
   return windowNormal(cloud, pixel, center, half_width, pitch, noise_scale);
 }
 
@@ -114,7 +114,7 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
 std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, int half_width,
                                       const PixelPitch& pitch) {
   constexpr double kMostNoise = 4.0;  // what strays three standard deviations of it is another surface
-  const Vec3 center(image.x[pixel], image.y[pixel], image.z[pixel]);
+  const Vec3 center = image.point(pixel);
   if (!(center.z() > 0.0)) return std::nullopt;
   const kernels::WindowTask task = taskAt(pixel, center, half_width, pitch, kMostNoise);
   const kernels::PointImage points = {image.x.data(), image.y.data(), image.z.data(), image.width, image.height};

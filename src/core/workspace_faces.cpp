@@ -46,7 +46,7 @@ bool Detector::Workspace::endsBeforeTheBound(std::size_t plane) const {
   if (index.empty()) return true;
   const auto byDepth = [&cloud](std::uint32_t a, std::uint32_t b) { return cloud.z[a] < cloud.z[b]; };
   const auto reaches = [&](std::uint32_t i) {
-    const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
+    const Vec3 point = cloud.point(i);
     return rangeOf(params).endsWithin(kDeviations * verification.noise().at(point), point.z());
   };
   const auto [nearest, farthest] = std::minmax_element(index.begin(), index.end(), byDepth);

@@ -20,7 +20,7 @@ void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, cons
     label_of.push_back(all * top.count >= least * seen ? addPart(top.plane, of) : 0u);
   }
   const Cloud& cloud = thinned.cloud();
-  relabel(runs, before, label_of, [&](std::uint32_t i) { return tops.topAt({cloud.x[i], cloud.y[i], cloud.z[i]}); });
+  relabel(runs, before, label_of, [&](std::uint32_t i) { return tops.topAt(cloud.point(i)); });
 }
 
 /// Small planes that lead over the tops of several things. Where their heights differ by 1 or 2 mm, too little for the

@@ -14,8 +14,6 @@ namespace {
 constexpr double kNear = 0.02;    // m
 constexpr double kMargin = 0.06;  // of the picture, on each side
 
-Vec3 pointOf(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-
 /// In front of the origin and within 63 deg of z, but for one point in a hundred.
 bool liesInView(const Cloud& cloud) {
   std::size_t outside = 0;
@@ -29,13 +27,13 @@ bool liesInView(const Cloud& cloud) {
 Vec3 thinDirection(const Cloud& cloud) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.valid(i)) sum += pointOf(cloud, i);
+    if (cloud.valid(i)) sum += cloud.point(i);
   }
   const Vec3 mean = sum / std::max<double>(1.0, cloud.valid_count);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
-    const Vec3 offset = pointOf(cloud, i) - mean;
+    const Vec3 offset = cloud.point(i) - mean;
     spread += offset * offset.transpose();
   }
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
@@ -68,7 +66,7 @@ Span spanAlong(const Cloud& cloud, const Vec3& direction) {
   std::vector<double> places;
   places.reserve(cloud.valid_count);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.valid(i)) places.push_back(direction.dot(pointOf(cloud, i)));
+    if (cloud.valid(i)) places.push_back(direction.dot(cloud.point(i)));
   }
   if (places.empty()) return {};
   std::sort(places.begin(), places.end());

@@ -13,11 +13,11 @@ namespace {
 
 Vec3 normalByPca(const Cloud& cloud, const std::vector<std::uint32_t>& neighbors) {
   Vec3 mean = Vec3::Zero();
-  for (const std::uint32_t j : neighbors) mean += Vec3(cloud.x[j], cloud.y[j], cloud.z[j]);
+  for (const std::uint32_t j : neighbors) mean += cloud.point(j);
   mean /= static_cast<double>(neighbors.size());
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const std::uint32_t j : neighbors) {
-    const Vec3 offset = Vec3(cloud.x[j], cloud.y[j], cloud.z[j]) - mean;
+    const Vec3 offset = cloud.point(j) - mean;
     covariance.noalias() += offset * offset.transpose();
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;

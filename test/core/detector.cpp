@@ -361,7 +361,7 @@ Cloud everySecondRowOf(const test::BallAndWall& scene) {
   cloud.reset(image.width, image.height, true);
   for (std::size_t i = 0; i < image.size(); ++i) {
     if (i / image.width % 2 == 0) continue;
-    const Eigen::Vector3f normal = scene.normalAt({image.x[i], image.y[i], image.z[i]}).cast<float>();
+    const Eigen::Vector3f normal = scene.normalAt(image.point(i)).cast<float>();
     cloud.setPoint(i, image.x[i], image.y[i], image.z[i], {});
     cloud.nx[i] = normal.x(), cloud.ny[i] = normal.y(), cloud.nz[i] = normal.z();
   }

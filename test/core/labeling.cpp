@@ -104,7 +104,7 @@ TEST(LabelPoints, GivesEachPointToTheNearestShapeOnWhosePartItLies) {
           ASSERT_EQ(labels[i], 0u) << i;
           continue;
         }
-        const auto label = labelOf(Vec3(cloud.x[i], cloud.y[i], cloud.z[i]), items, tolerance);
+        const auto label = labelOf(cloud.point(i), items, tolerance);
         if (!label) continue;
         ++decided;
         ASSERT_EQ(labels[i], *label) << i;

@@ -108,7 +108,7 @@ List<AxisPart> partsOver(const synthetic::World& world, double half, double miss
   const PointNoise sigma([](const Vec3& p) { return axialNoise(p.z()); });
   List<std::uint32_t> pixels;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const Vec3 point(cloud.x[i], cloud.y[i], cloud.z[i]);
+    const Vec3 point = cloud.point(i);
     const bool on = cloud.valid(i) && std::abs(distance(tube.shape, point)) < 3.0 * sigma(point);
     const bool above = (pose.inverse() * point).z() > 0.01;
     if (on && above && std::abs(heightOn(tube, cloud, i)) < half) pixels.push_back(i);

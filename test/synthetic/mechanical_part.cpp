@@ -15,9 +15,6 @@ namespace {
 
 constexpr int kSeeds = 12;
 
-Vec3 pointAt(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-Vec3 normalOf(const Cloud& cloud, std::size_t i) { return {cloud.nx[i], cloud.ny[i], cloud.nz[i]}; }
-
 TEST(MechanicalPart, HasTheSizeAskedForAndNoMissingPoints) {
   for (const std::size_t points : {std::size_t(8096), std::size_t(1000)}) {
     const MechanicalPart part = makeMechanicalPart(1, 0.01, points);
@@ -37,11 +34,11 @@ TEST(MechanicalPart, PutsNoiselessPointsOnTheirShapesWithTheSideOfTheMaterialRig
     for (std::size_t i = 0; i < part.cloud.size(); ++i) {
       if (part.surface[i] < 0) continue;
       const Shape& shape = part.truth[part.surface[i]];
-      ASSERT_NEAR(distance(shape, pointAt(part.cloud, i)), 0.0, 1e-6) << "seed " << seed;
+      ASSERT_NEAR(distance(shape, part.cloud.point(i)), 0.0, 1e-6) << "seed " << seed;
       // Near the apex of a drill point single precision turns the normal of the shape.
-      const double side = normalAt(shape, pointAt(part.cloud, i)).dot(part.normals[i]);
+      const double side = normalAt(shape, part.cloud.point(i)).dot(part.normals[i]);
       ASSERT_NEAR(side, part.concave[part.surface[i]] ? -1.0 : 1.0, 1e-5) << "seed " << seed;
-      ASSERT_GE(part.normals[i].dot(normalOf(part.cloud, i)), -1e-6) << "turned like the exact one";
+      ASSERT_GE(part.normals[i].dot(part.cloud.normal(i)), -1e-6) << "turned like the exact one";
     }
   }
 }
@@ -53,7 +50,7 @@ TEST(MechanicalPart, IsClosedSoThatOutwardNormalsCancel) {
     double flux = 0.0;
     for (std::size_t i = 0; i < part.normals.size(); ++i) {
       sum += part.normals[i];
-      flux += part.normals[i].dot(pointAt(part.cloud, i));
+      flux += part.normals[i].dot(part.cloud.point(i));
     }
     // The integral of the normal over a closed surface is 0; of 4000 draws the mean of a component errs by 0.016.
     EXPECT_LT((sum / 4000.0).norm(), 0.06) << seed;
@@ -65,7 +62,7 @@ TEST(MechanicalPart, FillsTheUnitCube) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     const MechanicalPart part = makeMechanicalPart(seed, 0.0, 2000);
     double farthest = 0.0;
-    for (std::size_t i = 0; i < part.cloud.size(); ++i) farthest = std::max(farthest, pointAt(part.cloud, i).norm());
+    for (std::size_t i = 0; i < part.cloud.size(); ++i) farthest = std::max(farthest, part.cloud.point(i).norm());
     // From the middle of a box with largest side 1: half a side to half the diagonal of the cube.
     EXPECT_TRUE(farthest >= 0.499 && farthest <= 0.8661) << farthest;
   }
@@ -78,7 +75,7 @@ TEST(MechanicalPart, HasUniformNoiseAcrossItsSurfaces) {
   int counted = 0;
   for (std::size_t i = 0; i < part.cloud.size(); ++i) {
     if (part.surface[i] < 0) continue;
-    const double away = distance(part.truth[part.surface[i]], pointAt(part.cloud, i));
+    const double away = distance(part.truth[part.surface[i]], part.cloud.point(i));
     ASSERT_LE(std::abs(away), kHalfWidth + 1e-6);
     squares += away * away;
     ++counted;
@@ -124,8 +121,8 @@ TEST(MechanicalPart, EstimatesNormalsFromTheNoisyPoints) {
   for (int seed = 0; seed < 6; ++seed) {
     const MechanicalPart part = makeMechanicalPart(seed, 0.005);
     for (std::size_t i = 0; i < part.cloud.size(); ++i) {
-      ASSERT_NEAR(normalOf(part.cloud, i).norm(), 1.0, 1e-5);
-      cosines.push_back(part.normals[i].dot(normalOf(part.cloud, i)));
+      ASSERT_NEAR(part.cloud.normal(i).norm(), 1.0, 1e-5);
+      cosines.push_back(part.normals[i].dot(part.cloud.normal(i)));
     }
   }
   std::nth_element(cosines.begin(), cosines.begin() + cosines.size() / 2, cosines.end());

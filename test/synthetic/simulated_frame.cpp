@@ -102,7 +102,7 @@ TEST(SimulatedFrame, CloudHoldsThePointsOfTheDepthImageWithinTheRange) {
     ASSERT_EQ(cloud.valid(i), inside);
     if (!inside) continue;
     ++valid;
-    const Eigen::Vector2d pixel = kCamera.project(Vec3(cloud.x[i], cloud.y[i], cloud.z[i]));
+    const Eigen::Vector2d pixel = kCamera.project(cloud.point(i));
     ASSERT_NEAR(pixel.x(), static_cast<double>(i % kCamera.width), 1e-3);
     ASSERT_NEAR(pixel.y(), static_cast<double>(i / kCamera.width), 1e-3);
     ASSERT_EQ(cloud.z[i], frame.depth[i]);

@@ -28,8 +28,6 @@ const PaperScene& noiseless(std::uint64_t seed) {
   return scenes.at(seed - 1);
 }
 
-Vec3 pointAt(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
-
 TEST(SmallScene, HoldsSixToTenObjectsThatOwnAtMostTwoPercentEach) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const PaperScene& scene = noiseless(seed);
@@ -63,8 +61,8 @@ TEST(SmallScene, PutsNoiselessPointsOnTheUppermostShape) {
     for (std::size_t i = 0; i < scene.cloud.size(); ++i) {
       const Shape& shape = scene.truth[scene.surface[i]];
       // Coordinates up to 2 m in single precision, on slopes up to vertical.
-      ASSERT_NEAR(distance(shape, pointAt(scene.cloud, i)), 0.0, 1e-6) << seed;
-      ASSERT_GE(normalAt(shape, pointAt(scene.cloud, i)).z(), -1e-3) << seed;
+      ASSERT_NEAR(distance(shape, scene.cloud.point(i)), 0.0, 1e-6) << seed;
+      ASSERT_GE(normalAt(shape, scene.cloud.point(i)).z(), -1e-3) << seed;
     }
   }
 }
@@ -75,7 +73,7 @@ TEST(SmallScene, EndsItsCylindersAndCones) {
     for (std::size_t i = 0; i < scene.cloud.size(); ++i) {
       const Shape& shape = scene.truth[scene.surface[i]];
       if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-        const double along = (pointAt(scene.cloud, i) - cylinder->point).dot(cylinder->axis);
+        const double along = (scene.cloud.point(i) - cylinder->point).dot(cylinder->axis);
         ASSERT_LE(std::abs(along), 3.0 * cylinder->radius + 1e-6);
       }
     }
