@@ -8,9 +8,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/ball_band.h"
 #include "core/curvature.h"
 #include "core/fitting.h"
+#include "core/indistinct.h"
 #include "core/segmentation.h"
 #include "core/tapered.h"
 
@@ -20,45 +20,6 @@ namespace {
 bool enabled(Kind kind, const Params& params) {
   const bool switches[] = {params.detect_planes, params.detect_spheres, params.detect_cylinders, params.detect_cones};
   return switches[static_cast<std::size_t>(kind)];
-}
-
-/// Of a tube or a cone, about the place of these points; nothing of other kinds.
-std::optional<double> radiusAbout(const Vec3& place, const Shape& shape) {
-  if (const Cone* cone = std::get_if<Cone>(&shape)) {
-    return std::abs((place - cone->apex).dot(cone->axis)) * std::tan(cone->half_angle);
-  }
-  const Cylinder* tube = std::get_if<Cylinder>(&shape);
-  return tube ? std::optional<double>(tube->radius) : std::nullopt;
-}
-
-/// A tube or a cone so thin that the edge of a table, rounded by a depth camera or by how normals are fitted, looks the
-/// same. Measured on a recorded board (calibration pattern, no curved shape) mirrored, scaled and with noise added:
-/// without it for cones 9 % of the results carry a curved shape, with it 3 %, and of what is there none is lost.
-bool tooThin(const Shape& shape, const Moments& moments, double sigma, const ProposalRules& rules) {
-  constexpr double kLeastRadius = 6.5;  // standard deviations of the noise
-  constexpr double kOfEdge = 0.8;       // length of the mean normal: over a right angle .9, over half a turn .64
-  const bool rounded = rules.noise.ofDepthCamera() || (rules.fitted_normals && moments.mean_normal.norm() > kOfEdge);
-  const std::optional<double> radius = rounded ? radiusAbout(moments.mean_point, shape) : std::nullopt;
-  return radius && *radius < kLeastRadius * sigma;
-}
-
-/// A band of a ball so narrow that noise hides how it curves across: the rim of a pot looks the same, as normals from
-/// windows wider than the rim turn away at its edges. Of fifty simulated pots with rims of 15 to 30 mm 17 have a ball
-/// there without it and 8 with it. From an elongation of 3 on a recorded bowl under a can goes missing.
-bool isBand(const Shape& shape, const Moments& moments, double sigma, const NoiseModel& noise) {
-  constexpr double kElongation = 4.0;
-  constexpr double kLeastRise = 1.2;  // standard deviations of the noise
-  const Sphere* ball = std::get_if<Sphere>(&shape);
-  if (!ball || !noise.ofDepthCamera()) return false;
-  const BallBand band = bandOn(*ball, moments.mean_point, moments.points);
-  return band.elongation > kElongation && band.rise < kLeastRise * sigma;
-}
-
-/// A plane through the camera is seen as a line. What lies in it is one row or column of an image.
-bool edgeOn(const Shape& shape, const Vec3& seen, const NoiseModel& noise) {
-  constexpr double kLeastSine = 0.02;  // of the angle between the plane and the way to it: 1.1 deg
-  const Plane* plane = std::get_if<Plane>(&shape);
-  return noise.ofDepthCamera() && plane && std::abs(plane->normal.dot(seen)) < kLeastSine * seen.norm();
 }
 
 /// Where a fit begins.
@@ -79,19 +40,19 @@ bool isFitted(Kind kind, const Params& params) {
 /// Its own, a plane, and every curved kind on every side that is wanted.
 List<Start> startsFor(const Start& own, const Moments& moments, double sigma, const ProposalRules& rules) {
   const Params& params = rules.limits.params;
-  const bool curved = curvesEnough(moments, sigma, rules.noise);
+  const Curvature curvature = curvatureOf(moments, sigma);
   List<Start> starts;
   const auto add = [&](const std::optional<Shape>& shape, bool concave, bool fitted = false) {
     if (!shape || !isFitted(kindOf(*shape), params)) return;
-    if (curved || kindOf(*shape) == Kind::plane) starts.push_back({*shape, concave, fitted});
+    if (curvesEnough(kindOf(*shape), curvature, rules.noise)) starts.push_back({*shape, concave, fitted});
   };
   add(own.shape, own.concave, own.fitted);
   // From anywhere near, there is only one plane to come to.
   if (starts.empty() || kindOf(starts[0].shape) != Kind::plane) add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {
-    if (!curved) break;
     if (params.convexity == (concave ? "convex" : "concave")) continue;
     for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+      if (!curvesEnough(kind, curvature, rules.noise)) continue;
       add(fitFromMoments(kind, concave ? flipped(moments) : moments), concave);
     }
   }
@@ -208,9 +169,10 @@ class Fits {
     if (!shape) return std::nullopt;
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
-    if (!rules_.limits.hold(*shape) || tooThin(*shape, moments_, points_.meanSigma(), rules_)) return false;
-    if (isBand(*shape, moments_, points_.meanSigma(), rules_.noise)) return false;
-    if (edgeOn(*shape, points_.middle(), rules_.noise)) return false;
+    const FittedSamples samples = {moments_, points_.meanSigma(), rules_.noise, rules_.fitted_normals};
+    if (!rules_.limits.hold(*shape) || isIndistinct(*shape, samples)) return false;
+    // It is a rival all the same.
+    if (tried_ == Tried::to_win && mayBeRing(*shape, samples)) return false;
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);
     judge(*shape, start.concave);

@@ -14,11 +14,11 @@ struct Curvature {
   double bulge;  ///< standard deviation across the plane through the points, in those of the noise
 };
 
-/// Of at least one point with a normal; sigma: noise of their distance to a surface (m).
+/// Of points with normals, none of no points; sigma: noise of their distance to a surface (m).
 Curvature curvatureOf(const Moments& moments, double sigma);
 
 /// A patch so small that all its normals are nearly one looks like a plane with noisy normals. The noise of depth
 /// cameras moreover comes in waves that look like curved patches: they need a longer arc, and to rise above the noise.
-bool curvesEnough(const Moments& moments, double sigma, const NoiseModel& noise);
+bool curvesEnough(Kind kind, const Curvature& curvature, const NoiseModel& noise);
 
 }  // namespace primitect

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -111,18 +112,54 @@ TEST(BentEnds, StayWhereNothingBends) {
 TEST(BentEnds, StayWhereTheWholeShapeDoesNotFit) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const auto step = [](double height) { return kRadius + (height > 0.08 ? 2.5 * kNoise : 0.0); };
-    EXPECT_FALSE(BothEnds(kTube, seen(kTube, 0.0, 0.12, step, seed)).moved()) << seed;
+    EXPECT_FALSE(BothEnds(kTube, seen(kTube, 0.0, 0.12, step, seed)).moved()) << seed << ": a third of it";
+    // Two cans, one on the other, for which one leaning tube was taken.
+    const auto stacked = [](double height) { return kRadius + 2.0 * kNoise * (std::fmod(height, 0.06) / 0.03 - 1.0); };
+    EXPECT_FALSE(BothEnds(kTube, seen(kTube, 0.0, 0.12, stacked, seed)).moved()) << seed;
   }
 }
 
+TEST(BentEnds, OfTheWideSideOfAConeTakeItsRadiusAlong) {
+  const Cone cone = {kFoot, kAxis, 30.0 * kDegree};
+  const double slope = std::tan(cone.half_angle);
+  const auto skirt = [&](double height) { return slope * height + std::max(0.0, height - 0.1); };
+  const BothEnds ends(cone, seen(cone, 0.02, 0.13, skirt, 1));
+  EXPECT_NEAR(BothEnds::endOf(ends.after, 1.0), 0.1, 0.003);
+  EXPECT_NEAR(ends.after.radius, BothEnds::endOf(ends.after, 1.0) * slope, 1e-9);
+  EXPECT_EQ(ends.after.radius_small, ends.before.radius_small);
+}
+
 TEST(BentEnds, ChangeNothingOfOtherShapesOrWithoutPoints) {
-  Extent extent;
   const auto noise = [](const Vec3&) { return kNoise; };
-  endWhereItBends(std::vector<Vec3>(300, Vec3(0, 0, 1)), noise, Sphere{Vec3(0, 0, 2), 1.0}, extent);
-  endWhereItBends(SeenPoints(), noise, kTube, extent);
-  endWhereItBends(std::vector<Vec3>(300, kFoot), noise, kTube, extent);
-  EXPECT_EQ(extent.size, Extent().size);
-  EXPECT_EQ(extent.origin, Extent().origin);
+  const auto lid = [](double height) { return kRadius + (height > 0.1 ? 2.5 * kNoise : 0.0); };
+  const SeenPoints jar = seen(kTube, 0.0, 0.115, lid, 1);
+  Extent before;
+  measureToTheEnds(kTube, jar, before);
+  Extent ball = before, nothing = before, point = before;
+  endWhereItBends(jar, noise, Sphere{Vec3(0, 0, 2), 1.0}, ball);
+  endWhereItBends(SeenPoints(), noise, kTube, nothing);
+  point.size.z() = 0.0;
+  endWhereItBends(jar, noise, kTube, point);
+  EXPECT_EQ(ball.size, before.size);
+  EXPECT_EQ(nothing.size, before.size);
+  EXPECT_EQ(point.size.z(), 0.0);
+  EXPECT_EQ(withoutNextParts(Sphere{Vec3(0, 0, 2), 1.0}, jar, noise).size(), jar.size());
+  EXPECT_TRUE(withoutNextParts(kTube, SeenPoints(), noise).empty());
+}
+
+TEST(BentEnds, LeaveThePointsOfTheNextPartOut) {
+  const auto noise = [](const Vec3&) { return kNoise; };
+  const auto lid = [](double height) { return kRadius + (height > 0.1 ? 2.5 * kNoise : 0.0); };
+  const SeenPoints jar = seen(kTube, 0.0, 0.115, lid, 1), left = withoutNextParts(kTube, jar, noise);
+  std::size_t below = 0;
+  double highest = 0.0;
+  for (std::size_t k = 0; k < jar.size(); ++k) below += (jar.point(k) - kFoot).dot(kAxis) < 0.1 ? 1 : 0;
+  for (std::size_t k = 0; k < left.size(); ++k) highest = std::max(highest, (left.point(k) - kFoot).dot(kAxis));
+  EXPECT_NEAR(highest, 0.1, 0.003);
+  EXPECT_NEAR(static_cast<double>(left.size()), static_cast<double>(below), 80.0);
+  const SeenPoints can = seen(
+      kTube, 0.0, 0.115, [](double) { return kRadius; }, 1);
+  EXPECT_EQ(withoutNextParts(kTube, can, noise).size(), can.size());
 }
 
 /// How much too long (m) the bodies of three bottles on a table are, as a depth camera sees them; 1: not found.

@@ -221,7 +221,7 @@ TEST(Competition, TakesNoCylinderForARoundedEdgeFarAway) {
 
 TEST(Competition, TakesNoConeForARoundedEdgeFarAwayThatTapers) {
   constexpr double kTaper = 8.0 * test::kDegree;  // 14 mm over a half of its length
-  EXPECT_NE(winnerOn(Rod{0.028, kFar, kTaper, kNoise}), Kind::cone);
+  EXPECT_NE(winnerOn(Rod{0.023, kFar, kTaper, kNoise}), Kind::cone);
   EXPECT_EQ(winnerOn(Rod{0.040, kFar, kTaper, kNoise}), Kind::cone);
 }
 
