@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/axis_extent.h"
 #include "core/observed_part.h"
 #include "core/ray_depth.h"
 #include "kernels/loops.h"
@@ -201,9 +202,12 @@ std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
     for (const auto& [start, step] : starts) ++counts[Walk(cloud_, rays_, range_, sigma_, on).from(start, step)];
   };
   std::visit(walkAll, shape);
+  // A pipe that runs slantwise into the border reaches it with an end: of two dozen walks one or two go along it.
+  const std::size_t walks_by_image = hasAxis(kindOf(shape)) ? 24 : 10, walks_by_others = 10;
   std::uint8_t bits = 0;
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
-    if (10 * counts[bit] >= starts.size()) bits |= bit;
+    const std::size_t walks = bit == kTruncatedByImage ? walks_by_image : walks_by_others;
+    if (walks * counts[bit] >= starts.size()) bits |= bit;
   }
   return bits;
 }

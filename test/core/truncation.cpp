@@ -110,6 +110,20 @@ TEST(Truncation, OfABallHalfOutOfTheImageIsByTheImage) {
   }
 }
 
+/// Of 24 walks across it and along it one or two come to the border.
+TEST(Truncation, OfAPipeThatRunsSlantwiseOutOfTheImageIsByTheImage) {
+  for (const double turn : {0.5, -0.5}) {  // rad
+    View view;
+    addTable(view.world, 0.8, 0.8);
+    const int pipe = view.world.add(
+        "pipe", Rod{0.03, 0.5},
+        at(0.0, 0.4, 0.03) * Eigen::AngleAxisd(turn, Vec3::UnitZ()) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+    view.render();
+    const int mantle = view.world.bodies()[static_cast<std::size_t>(pipe)].first_surface;
+    EXPECT_EQ(view.truncationOf(mantle), kTruncatedByImage) << turn;
+  }
+}
+
 TEST(Truncation, OfATableThatLeavesTheImageIsByTheImage) {
   View view;
   view.range.max = 0.0f;
