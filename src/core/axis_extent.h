@@ -21,8 +21,8 @@ enum class Ends { without_stragglers, to_the_end };
 Extent extentAlong(const Cylinder& cylinder, const SeenPoints& inliers, Ends ends);
 Extent extentAlong(const Cone& cone, const SeenPoints& inliers, Ends ends);
 
-/// Moves the ends by so much (m) along the axis, and a cone's radii with them; by 0 a radius stays as it is, to the last
-/// bit.
+/// Moves the ends by so much (m) along the axis, and a cone's radii with them; by 0 a radius stays as it is, to the
+/// last bit.
 void moveEnds(double low, double high, const Shape& shape, Extent& extent);
 
 /// A length of an axis (m, from the extent's origin).

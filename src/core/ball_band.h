@@ -13,8 +13,8 @@ struct BallBand {
   double rise;        ///< m, by which the surface curves away across the shorter one
 };
 
-/// Of points with this mean (m), not the ball's centre, and this scatter about it, E[p p'] (m^2). Of points in a line the
-/// elongation is infinite.
+/// Of points with this mean (m), not the ball's centre, and this scatter about it, E[p p'] (m^2). Of points in a line
+/// the elongation is infinite.
 BallBand bandOn(const Sphere& ball, const Vec3& mean, const Eigen::Matrix3d& scatter);
 
 }  // namespace primitect

@@ -10,9 +10,9 @@
 namespace primitect {
 
 /// Points of the next part stay within three deviations of the noise for some way. An end where the points leave the
-/// surface, by two deviations along a line or by 1.5 in a step, is moved to where that begins; either end by no more than
-/// a quarter of the length, and none where the distances stray all along the axis: then it is the shape that does not
-/// fit. Changes nothing of other kinds, and nothing without points.
+/// surface, by two deviations along a line or by 1.5 in a step, is moved to where that begins; either end by no more
+/// than a quarter of the length, and none where the distances stray all along the axis: then it is the shape that does
+/// not fit. Changes nothing of other kinds, and nothing without points.
 void endWhereItBends(const SeenPoints& points, const PointNoise& sigma, const Shape& shape, Extent& extent);
 
 /// The points that lie between those ends.
