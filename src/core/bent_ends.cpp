@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "core/extent.h"
 #include "core/frame_memory.h"
@@ -111,11 +112,15 @@ SeenPoints withoutNextParts(const Shape& shape, SeenPoints points, const PointNo
   List<float> heights(points.size());
   const Vec3 axis = extent.rotation.col(2);
   heightsAlong(axis, points.x.data(), points.y.data(), points.z.data(), points.size(), heights.data());
-  const double middle = axis.dot(extent.origin - points.origin);
+  const double middle = axis.dot(extent.origin - points.origin), half = 0.5 * extent.size.z();
+  const auto isLeft = [&](float height) { return std::abs(height - middle) <= half; };
+  // A part is less than the whole: two rings with nothing between them are no ends of anything.
+  const auto left = static_cast<std::size_t>(std::count_if(heights.begin(), heights.end(), isLeft));
+  if (2 * left < points.size()) return points;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
-    kept += std::abs(heights[k] - middle) <= 0.5 * extent.size.z() ? 1 : 0;
+    kept += isLeft(heights[k]) ? 1 : 0;
   }
   for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
   return points;

@@ -157,9 +157,19 @@ TEST(BentEnds, LeaveThePointsOfTheNextPartOut) {
   for (std::size_t k = 0; k < left.size(); ++k) highest = std::max(highest, (left.point(k) - kFoot).dot(kAxis));
   EXPECT_NEAR(highest, 0.1, 0.003);
   EXPECT_NEAR(static_cast<double>(left.size()), static_cast<double>(below), 80.0);
-  const SeenPoints can = seen(
-      kTube, 0.0, 0.115, [](double) { return kRadius; }, 1);
+  const auto straight = [](double) { return kRadius; };
+  const SeenPoints can = seen(kTube, 0.0, 0.115, straight, 1);
   EXPECT_EQ(withoutNextParts(kTube, can, noise).size(), can.size());
+}
+
+TEST(BentEnds, LeaveNoPointsOutWhereThereIsNothingBetweenThem) {
+  const auto off = [](double) { return kRadius + 2.5 * kNoise; };
+  SeenPoints rings = seen(kTube, 0.0, 0.02, off, 1);
+  const Eigen::Vector3f along = (0.1 * kAxis).cast<float>();
+  for (std::size_t k = 0; k < rings.size(); k += 2) {
+    rings.x[k] += along.x(), rings.y[k] += along.y(), rings.z[k] += along.z();
+  }
+  EXPECT_EQ(withoutNextParts(kTube, rings, [](const Vec3&) { return kNoise; }).size(), rings.size());
 }
 
 /// How much too long (m) the bodies of three bottles on a table are, as a depth camera sees them; 1: not found.
