@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 
-#include "core/extent.h"
-#include "core/frame_memory.h"
+#include "core/axis_extent.h"
 
 namespace primitect {
 namespace {
@@ -44,6 +42,13 @@ struct Rings {
   void turnRound() {
     std::reverse(count.begin(), count.end());
     std::reverse(distances.begin(), distances.end());
+  }
+
+  /// The share of the points that lies in the rings [begin, end).
+  double shareOf(std::size_t begin, std::size_t end) const {
+    double all = 0.0, some = 0.0;
+    for (std::size_t k = 0; k < kRings; ++k) all += count[k], some += k >= begin && k < end ? count[k] : 0.0;
+    return some / all;
   }
 
   /// The mean distance where no next part is looked for.
@@ -92,38 +97,20 @@ std::size_t bentRings(const Rings& rings) {
 
 }  // namespace
 
-void endWhereItBends(const SeenPoints& points, const PointNoise& sigma, const Shape& shape, Extent& extent) {
-  if (!hasAxis(kindOf(shape)) || points.empty() || !(extent.size.z() > 0.0)) return;
+double endWhereItBends(const SeenPoints& points, const PointNoise& sigma, const Shape& shape, Extent& extent) {
+  if (!hasAxis(kindOf(shape)) || points.empty() || !(extent.size.z() > 0.0)) return 1.0;
   Rings rings(SomePoints<kMostPoints>(points), sigma, shape, extent);
   const std::size_t low = bentRings(rings);
   rings.turnRound();
   const std::size_t high = bentRings(rings);
+  if (low + high == 0) return 1.0;
+  // A part is less than the whole: two rings with nothing between them are no ends of anything.
+  constexpr double kLeast = 0.5;
+  const double left = rings.shareOf(high, kRings - low);
+  if (left < kLeast) return 1.0;
   const double ring = extent.size.z() / kRings;
   moveEnds(static_cast<double>(low) * ring, -static_cast<double>(high) * ring, shape, extent);
-}
-
-SeenPoints withoutNextParts(const Shape& shape, SeenPoints points, const PointNoise& sigma) {
-  if (!hasAxis(kindOf(shape)) || points.empty()) return points;
-  Extent extent;
-  measureToTheEnds(shape, points, extent);
-  const double length = extent.size.z();
-  endWhereItBends(points, sigma, shape, extent);
-  if (extent.size.z() == length) return points;
-  List<float> heights(points.size());
-  const Vec3 axis = extent.rotation.col(2);
-  heightsAlong(axis, points.x.data(), points.y.data(), points.z.data(), points.size(), heights.data());
-  const double middle = axis.dot(extent.origin - points.origin), half = 0.5 * extent.size.z();
-  const auto isLeft = [&](float height) { return std::abs(height - middle) <= half; };
-  // A part is less than the whole: two rings with nothing between them are no ends of anything.
-  const auto left = static_cast<std::size_t>(std::count_if(heights.begin(), heights.end(), isLeft));
-  if (2 * left < points.size()) return points;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
-    kept += isLeft(heights[k]) ? 1 : 0;
-  }
-  for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
-  return points;
+  return left;
 }
 
 }  // namespace primitect

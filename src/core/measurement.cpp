@@ -165,14 +165,13 @@ void Measurement::endAtFacesOrTip(Detection& detection) const {
   if (detection.extent.radius_small == narrow) endAtTip(sigma, detection.shape, detection.extent);
 }
 
-/// Those that are thin, or of the next part. Returns the share of the points that is left.
-double Measurement::leaveOutEnds(const Shape& shape) {
-  if (points_.empty()) return 1.0;
-  const auto before = static_cast<double>(points_.size());
-  // In depth frames the share of the surface that the image shows tells of thin ends (seen_share.h).
+/// Returns the share of the points that is left. In depth frames the share of the surface that the image shows tells
+/// (seen_share.h).
+double Measurement::leaveOutThinEnds(const Shape& shape) {
   const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
-  if (cylinder && !noise_.ofDepthCamera()) points_ = withoutThinEnds(*cylinder, std::move(points_));
-  points_ = withoutNextParts(shape, std::move(points_), sigma_);
+  if (!cylinder || noise_.ofDepthCamera() || points_.empty()) return 1.0;
+  const auto before = static_cast<double>(points_.size());
+  points_ = withoutThinEnds(*cylinder, std::move(points_));
   return static_cast<double>(points_.size()) / before;
 }
 
@@ -186,9 +185,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
   if (fit.or_cone) detection.rival = Kind::cone;
-  const double share = leaveOutEnds(detection.shape);
+  double share = leaveOutThinEnds(detection.shape);
   detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
-  detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));
   detection.rms_error = rmsDistance(detection.shape, points_);
   const Density density = noise_.ofDepthCamera() ? Density::of_pixels : Density::of_surface;
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_, density);
@@ -197,6 +195,10 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
+  // What is measured above is with the points of a next part: clutter earns no more trust by leaving out what
+  // contradicts it.
+  share *= endWhereItBends(points_, sigma_, detection.shape, detection.extent);
+  detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));
   endAtFacesOrTip(detection);
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));

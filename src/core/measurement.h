@@ -58,7 +58,7 @@ class Measurement {
   PointsChoice start(const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
-  double leaveOutEnds(const Shape& shape);
+  double leaveOutThinEnds(const Shape& shape);
   void endAtFacesOrTip(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found,
              const PointsChoice& from);
