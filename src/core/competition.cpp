@@ -43,10 +43,9 @@ List<Start> startsFor(const Start& own, const Moments& moments, double sigma, co
   const Curvature curvature = curvatureOf(moments, sigma);
   List<Start> starts;
   const auto add = [&](const std::optional<Shape>& shape, bool concave, bool fitted = false) {
-    if (!shape || !isFitted(kindOf(*shape), params)) return;
-    if (curvesEnough(kindOf(*shape), curvature, rules.noise)) starts.push_back({*shape, concave, fitted});
+    if (shape && isFitted(kindOf(*shape), params)) starts.push_back({*shape, concave, fitted});
   };
-  add(own.shape, own.concave, own.fitted);
+  if (curvesEnough(kindOf(own.shape), curvature, rules.noise)) add(own.shape, own.concave, own.fitted);
   // From anywhere near, there is only one plane to come to.
   if (starts.empty() || kindOf(starts[0].shape) != Kind::plane) add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {

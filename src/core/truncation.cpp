@@ -203,10 +203,10 @@ std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
   };
   std::visit(walkAll, shape);
   // A pipe that runs slantwise into the border reaches it with an end: of two dozen walks one or two go along it.
-  const std::size_t walks_by_image = hasAxis(kindOf(shape)) ? 24 : 10, walks_by_others = 10;
+  const std::uint8_t at_an_end = hasAxis(kindOf(shape)) ? kTruncatedByImage : 0;
   std::uint8_t bits = 0;
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
-    const std::size_t walks = bit == kTruncatedByImage ? walks_by_image : walks_by_others;
+    const std::size_t walks = bit == at_an_end ? 24 : 10;
     if (walks * counts[bit] >= starts.size()) bits |= bit;
   }
   return bits;
