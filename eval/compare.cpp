@@ -14,6 +14,7 @@
 #include "eval/line_writer.h"
 #include "eval/score_json.h"
 #include "eval/score_table.h"
+#include "synthetic/sensors.h"
 
 namespace {
 
@@ -130,6 +131,10 @@ void declareOptions(CLI::App& app, Options& options) {
   app.add_option("--sigma", options.recipe.sigma,
                  "noise in m: of the paper's and the small set the standard deviation, of the parts the half width");
   app.add_option("--noise-scale", options.recipe.noise_scale, "times the noise of the simulated depth sensor");
+  app.add_option("--sensor", options.recipe.sensor, "kind of the simulated depth sensor")
+      ->check(CLI::IsMember(primitect::synthetic::sensorNames()))
+      ->capture_default_str();
+  app.add_option("--blots", options.recipe.blots, "share of the depth frames' pixels that are lost in blots");
   app.add_option("--noise-grain", options.recipe.noise_grain, "px, odd: so many by so many pixels share that noise");
   app.add_option("--width", options.recipe.width, "columns of the depth frames, 4 : 3");
   app.add_option("--outliers", options.recipe.outliers, "share of points thrown anywhere into the bounding box");

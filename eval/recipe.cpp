@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "synthetic/sensors.h"
+
 namespace primitect::eval {
 namespace {
 
@@ -39,11 +41,17 @@ void checkRecipe(const Recipe& recipe) {
   checkUnused(used.sigma, recipe, "sigma", recipe.sigma, usual.sigma);
   checkUnused(used.depth_frame, recipe, "noise_scale", recipe.noise_scale, usual.noise_scale);
   checkUnused(used.depth_frame, recipe, "noise_grain", recipe.noise_grain, usual.noise_grain);
+  checkUnused(used.depth_frame, recipe, "blots", recipe.blots, usual.blots);
+  if (!used.depth_frame && recipe.sensor != usual.sensor) {
+    throw std::invalid_argument("sensor = " + recipe.sensor + ": the set " + recipe.set + " does not use it");
+  }
+  synthetic::noiseOf(recipe.sensor);  // throws for other names
   checkUnused(used.depth_frame, recipe, "width", recipe.width, usual.width);
   checkUnused(used.outliers, recipe, "outliers", recipe.outliers, usual.outliers);
   check(recipe.noise_scale >= 0.0 && recipe.noise_scale <= 10.0, "noise_scale", recipe.noise_scale, "0 to 10");
   check(recipe.noise_grain >= 1 && recipe.noise_grain <= 31 && recipe.noise_grain % 2 == 1, "noise_grain",
         recipe.noise_grain, "1 to 31, odd");
+  check(recipe.blots >= 0.0 && recipe.blots < 1.0, "blots", recipe.blots, "[0, 1)");
   check(recipe.width >= 160 && recipe.width <= 2560, "width", recipe.width, "160 to 2560");
   check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
   check(recipe.uneven >= 1.0 && recipe.uneven <= 1000.0, "uneven", recipe.uneven, "1 to 1000");
@@ -57,6 +65,8 @@ std::string describe(const Recipe& recipe) {
   };
   add(used.sigma, "sigma " + numberText(recipe.sigma));
   add(used.depth_frame, "noise x " + numberText(recipe.noise_scale));
+  add(recipe.sensor != Recipe().sensor, "sensor " + recipe.sensor);
+  add(recipe.blots != 0.0, "blots " + numberText(recipe.blots));
   add(recipe.noise_grain != 1, "grain " + numberText(recipe.noise_grain) + " px");
   add(recipe.width != Recipe().width, "width " + numberText(recipe.width));
   add(recipe.outliers != 0.0, "outliers " + numberText(recipe.outliers));

@@ -14,12 +14,14 @@ struct Recipe {
   std::uint64_t seed = 1;
   double sigma = 0.01;       ///< m, noise of the paper's sets; of the parts the half width of the uniform noise
   double noise_scale = 1.0;  ///< times the noise of the simulated depth sensor
-  int noise_grain = 1;       ///< px, odd, 1 to 31: so many by so many pixels share that noise
-  int width = 640;           ///< columns of the depth frames, 4 : 3, [160, 2560]
-  double outliers = 0.0;     ///< share of points thrown anywhere into the bounding box, [0, 1)
-  double keep = 1.0;         ///< share of the points that is kept, drawn at random, (0, 1]
-  double uneven = 1.0;       ///< from one side of the cloud to the other this many times fewer points, [1, 1000]
-  bool shuffle = false;      ///< in random order, unorganized
+  std::string sensor = "structured_light";  ///< of depth frames, one of synthetic::sensorNames()
+  int noise_grain = 1;    ///< px, odd, 1 to 31: so many by so many pixels share that noise; 1: as of the sensor
+  double blots = 0.0;     ///< share of the pixels of depth frames that are lost in blots of 9 px, [0, 1)
+  int width = 640;        ///< columns of the depth frames, 4 : 3, [160, 2560]
+  double outliers = 0.0;  ///< share of points thrown anywhere into the bounding box, [0, 1)
+  double keep = 1.0;      ///< share of the points that is kept, drawn at random, (0, 1]
+  double uneven = 1.0;    ///< from one side of the cloud to the other this many times fewer points, [1, 1000]
+  bool shuffle = false;   ///< in random order, unorganized
   /// Points and truth in a frame on the floor below the sensor: x ahead, y to the left, z up, the sensor 1.3 m above
   /// the origin and turned 38 deg down.
   bool robot_frame = false;

@@ -109,6 +109,8 @@ std::string scoreLine(const LabelledCloud& input, const Method& method, const An
                {"sigma", recipe.sigma},
                {"noise_scale", recipe.noise_scale},
                {"noise_grain", recipe.noise_grain},
+               {"sensor", recipe.sensor},
+               {"blots", recipe.blots},
                {"width", recipe.width},
                {"outliers", recipe.outliers},
                {"keep", recipe.keep},

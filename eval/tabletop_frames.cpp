@@ -11,6 +11,7 @@
 #include "primitect/transforms.h"
 #include "synthetic/clutter.h"
 #include "synthetic/frame.h"
+#include "synthetic/sensors.h"
 
 namespace primitect::eval {
 namespace {
@@ -170,8 +171,10 @@ LabelledCloud tabletopFrame(const Recipe& recipe) {
       recipe.set == "clutter" ? synthetic::shapelessTable(recipe.seed) : synthetic::clutteredTable(recipe.seed),
       PinholeCamera().scaledTo(recipe.width, recipe.width * 3 / 4), synthetic::clutterPose(recipe.seed)};
   synthetic::FrameParams params;
+  params.noise = synthetic::noiseOf(recipe.sensor);
   params.noise.scale = recipe.noise_scale;
-  params.noise.grain = recipe.noise_grain;
+  params.noise.blots = recipe.blots;
+  if (recipe.noise_grain > 1) params.noise.grain = recipe.noise_grain;
   const Frame frame = renderFrame(view.world, view.camera, view.world_from_camera, params, recipe.seed, 0);
   LabelledCloud result;
   result.recipe = recipe;

@@ -82,7 +82,13 @@ def variant_rows():
 
 def noisy_camera_rows():
     """What is told only."""
-    section = "Tables seen by noisier cameras"
+    section = "Tables seen by other cameras"
+    for title, recipe in (("stereo", Recipe("tabletop", sensor="stereo")),
+                          ("time of flight", Recipe("tabletop", sensor="time_of_flight")),
+                          ("a fifth of the image lost in blots", Recipe("tabletop", blots=0.2)),
+                          ("nothing but clutter, stereo", Recipe("clutter", sensor="stereo")),
+                          ("nothing but clutter, time of flight", Recipe("clutter", sensor="time_of_flight"))):
+        yield Row(section, title, recipe, "all", ())
     for scale, grain in ((2.0, 1), (3.0, 1), (2.0, 5), (3.0, 5)):
         title = "noise x %g" % scale + (", in grains of %d px" % grain if grain > 1 else "")
         yield Row(section, title, Recipe("tabletop", noise_scale=scale, noise_grain=grain), "all", ())

@@ -26,6 +26,10 @@ def command_of(program, call):
         command += ["--uneven", repr(recipe.uneven)]
     if recipe.noise_grain != 1:
         command += ["--noise-grain", str(recipe.noise_grain)]
+    if recipe.sensor != "structured_light":
+        command += ["--sensor", recipe.sensor]
+    if recipe.blots:
+        command += ["--blots", str(recipe.blots)]
     for method in call.methods:
         command += ["--method", method]
     return command + ["--json", "-"] + (["--shuffle"] if recipe.shuffle else [])
@@ -34,7 +38,7 @@ def command_of(program, call):
 def task_text(call):
     """"paper-mixed, seed 1000, outliers 0.3": only what is not as usual."""
     usual = Recipe(call.recipe.set)
-    special = ["%s %g" % (name.replace("_", " "), value) for name, value, normal in zip(
+    special = [name.replace("_", " ") + (" %s" if isinstance(value, str) else " %g") % value for name, value, normal in zip(
         Recipe._fields, call.recipe, usual) if value != normal]
     return ", ".join([call.recipe.set, "seed %d" % call.first] + special)
 

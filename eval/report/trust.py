@@ -55,14 +55,15 @@ def normalised_error(lines, kind, part):
 def group_of(line):
     """Name of the group that a cloud belongs to: paper-like scenes, depth frames, and what is unlike these. Frames that
     were shuffled have no rows any more, and with these the detector no longer sees whose pixels are next to each other;
-    in grains noise errs alike in neighbours, farther than covariances expect."""
+    in grains noise errs alike in neighbours, farther than covariances expect, and so it does with other sensors than
+    structured light."""
     if line["set"] == CUT_OUT:
         return CUT_OUTS
     if line["set"] not in FRAMES:
         return SCENES
     if line.get("shuffle"):
         return SHUFFLED
-    if line.get("noise_grain", 1) > 1:
+    if line.get("noise_grain", 1) > 1 or line.get("sensor", "structured_light") != "structured_light":
         return GRAINY
     return NOISY if line.get("noise_scale", 1.0) > 1.0 else DEPTH_FRAMES
 

@@ -250,6 +250,29 @@ TEST(Recipe, OfADepthFrameMakesItsNoiseCoarse) {
   EXPECT_LT(roughness(5), 0.7 * roughness(1));
 }
 
+TEST(Recipe, OfADepthFrameSaysWhichSensorTookIt) {
+  const LabelledCloud usual = makeLabelledCloud(recipeOf("tabletop"));
+  Recipe recipe = recipeOf("tabletop");
+  recipe.sensor = "stereo";
+  const LabelledCloud stereo = makeLabelledCloud(recipe);
+  double same = 0.0, both = 0.0, beside = 0.0;
+  for (std::size_t i = 0; i < usual.cloud.size(); ++i) {
+    if (!stereo.cloud.valid(i)) {
+      beside += usual.cloud.valid(i) ? 1.0 : 0.0;
+      continue;
+    }
+    if (!usual.cloud.valid(i)) continue;
+    both += 1.0;
+    same += stereo.scored.z[i] == usual.scored.z[i] && stereo.cloud.z[i] != usual.cloud.z[i] ? 1.0 : 0.0;
+  }
+  EXPECT_GT(beside, 0.005 * both) << "shadows";
+  EXPECT_GT(same, 0.9 * both) << "the same things, measured otherwise";
+  recipe.sensor = "structured_light";
+  recipe.blots = 0.2;
+  const LabelledCloud blotted = makeLabelledCloud(recipe);
+  EXPECT_NEAR(blotted.cloud.valid_count, 0.8 * usual.cloud.valid_count, 0.05 * usual.cloud.valid_count);
+}
+
 TEST(Parts, AreMeasuredWithNoiseAndScoredWithout) {
   const LabelledCloud part = makeLabelledCloud(recipeOf("parts"));
   double largest = 0.0;
@@ -420,6 +443,12 @@ TEST(Recipe, WithAValueThatTheSetDoesNotUseIsRefused) {
   recipe = recipeOf("paper-mixed");
   recipe.width = 1280;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe = recipeOf("paper-mixed");
+  recipe.blots = 0.1;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe = recipeOf("paper-mixed");
+  recipe.sensor = "stereo";
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
 }
 
 TEST(Recipe, IsDescribedByWhatTheSetUses) {
@@ -428,6 +457,10 @@ TEST(Recipe, IsDescribedByWhatTheSetUses) {
   recipe.noise_scale = 3.0;
   recipe.noise_grain = 5;
   EXPECT_EQ(describe(recipe), "noise x 3, grain 5 px");
+  recipe = recipeOf("tabletop");
+  recipe.sensor = "stereo";
+  recipe.blots = 0.1;
+  EXPECT_EQ(describe(recipe), "noise x 1, sensor stereo, blots 0.1");
   recipe = recipeOf("small");
   recipe.shuffle = true;
   recipe.outliers = 0.3;
@@ -448,6 +481,12 @@ TEST(Recipe, OutOfRangeIsRefused) {
   recipe = recipeOf("tabletop");
   recipe.noise_grain = 4;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument) << "even";
+  recipe = recipeOf("tabletop");
+  recipe.sensor = "lidar";
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
+  recipe = recipeOf("tabletop");
+  recipe.blots = 1.0;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
   recipe = recipeOf("tabletop");
   recipe.outliers = 0.1;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);

@@ -45,6 +45,7 @@ for seed in range(first, first + count):
                               noise_scale=float(value["--noise-scale"]), outliers=float(value["--outliers"]),
                               keep=float(value["--keep"]), uneven=float(value.get("--uneven", 1)),
                               shuffle="--shuffle" in sys.argv, noise_grain=int(value.get("--noise-grain", 1)),
+                              sensor=value.get("--sensor", "structured_light"), blots=float(value.get("--blots", 0)),
                               all=counts(truths=2, found=2, correct=1, typed_correct=1))), flush=True)
 """ % HERE
 COMMIT = {"commit": "c1", "cpu": "cpu 1", "date": "2026-01-01"}
@@ -114,7 +115,8 @@ def test_an_answer_to_another_question_is_refused():
     except ValueError as error:
         assert "paper" in str(error)
     for other in ({"set": "tabletop"}, {"seed": 2}, {"sigma": 0.02}, {"noise_scale": 2.0}, {"outliers": 0.1},
-                  {"keep": 0.5}, {"keep": None}, {"uneven": 10.0}, {"shuffle": True}, {"noise_grain": 5}):
+                  {"keep": 0.5}, {"keep": None}, {"uneven": 10.0}, {"shuffle": True}, {"noise_grain": 5},
+                  {"sensor": "stereo"}, {"blots": 0.1}):
         try:
             store.stamped(dict(kept("default-512"), **{"set": "parts", **other}), call, COMMIT)
             raise AssertionError("took %r" % other)

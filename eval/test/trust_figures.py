@@ -81,6 +81,13 @@ def test_frames_of_noisier_cameras_stand_apart():
                         "frames with noise in grains": [(2.0, 5)]}
 
 
+def test_frames_of_other_sensors_are_with_those_whose_neighbours_err_alike():
+    lines = [line(set="tabletop", sensor=sensor, detections=[found(0.9, "right")])
+             for sensor in ("structured_light", "stereo")]
+    of_group = {name: [one["sensor"] for one in some] for name, some in trust.groups(lines).items()}
+    assert of_group == {"depth frames": ["structured_light"], "frames with noise in grains": ["stereo"]}
+
+
 def test_frames_that_were_shuffled_stand_apart():
     lines = [line(set="tabletop", shuffle=shuffle, detections=[found(0.9, "right", total=[error, 4])])
              for shuffle, error in ((False, 4.0), (True, 40.0))]

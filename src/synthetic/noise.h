@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What a structured-light sensor makes of an exact depth image.
+// What a depth camera makes of an exact depth image.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,20 @@
 
 namespace primitect::synthetic {
 
-/// The sensor's faults. Each can be switched off alone.
+/// The sensor's faults: by default those of structured light; of others in sensors.h. Each can be switched off alone.
 struct NoiseParams {
-  double scale = 1.0;       ///< times axialSigma(); 0 = off
-  int grain = 1;            ///< px, odd: so many by so many pixels share noise of that strength, as of a block matcher
-  double baseline = 0.075;  ///< between projector and camera, m
+  double scale = 1.0;  ///< times the noise; 0 = off
+  int grain = 1;       ///< px, odd: so many by so many pixels share noise of that strength, as of a block matcher
+  /// px, standard deviation of the disparity, that of the depth is this times z^2 / (fx * baseline); 0 = axialSigma()
+  double disparity_noise = 0.0;
+  double baseline = 0.075;          ///< between projector, or second camera, and camera, m
   double disparity_step = 0.125;    ///< px; disparities are multiples of it; 0 = off
+  int footprint = 1;                ///< px, odd: a pixel measures the mean over so many by so many (mixNeighbors)
+  bool shadows = false;             ///< what the projector or second camera does not see is lost (removeShadows)
+  double waves = 0.0;               ///< share of the depth, standard deviation of what a poor calibration leaves (bend)
+  int wave_length = 41;             ///< px, odd
+  double blots = 0.0;               ///< share of the pixels that are lost (removeBlots), as on dark and glossy surfaces
+  int blot_grain = 9;               ///< px, odd
   double max_incidence_deg = 80.0;  ///< surfaces slanted more, and depth steps that look like it, are lost; 90 = off
   double min_depth = 0.4;           ///< m; nearer pixels are lost; 0 = off
   double max_depth = 4.0;           ///< m; farther pixels are lost; 0 = off
@@ -33,10 +41,11 @@ double quantizedDepth(double z, const NoiseParams& params, double fx);
 ///  - when the surface towards one of its four neighbours is slanted by more than max_incidence_deg. A depth step
 ///    between neighbours is such a slant too (at 1 m: a step of 1 cm), so both sides of an edge go;
 ///  - when its neighbour saw nothing;
-///  - when its depth, exact or measured, is outside min_depth..max_depth.
-/// Depends on (seed, frame_index) only; without grain, a pixel's noise does not depend on the other pixels. With it,
-/// the noise of pixels d columns apart has the correlation 1 - d / grain. Throws std::invalid_argument when a parameter
-/// is out of its range or depth does not have the camera's size.
+///  - when its depth, exact or measured, is outside min_depth..max_depth;
+///  - in shadows and blots, where params have any.
+/// Depends on (seed, frame_index) only, waves on seed only; without grain, a pixel's noise does not depend on the other
+/// pixels. With it, the noise of pixels d columns apart has the correlation 1 - d / grain. Throws std::invalid_argument
+/// when a parameter is out of its range or depth does not have the camera's size.
 void addNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint64_t seed, std::uint64_t frame_index,
               std::vector<float>& depth);
 

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The faults of usual kinds of depth cameras.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "synthetic/noise.h"
+
+namespace primitect::synthetic {
+
+/// "structured_light", "stereo", "time_of_flight".
+const std::vector<std::string>& sensorNames();
+
+/// structured_light  NoiseParams() as it is: noise of single pixels
+/// stereo            noise of .06 px of the disparity (2.3 mm at 1 m, 9 mm at 2 m) that 7 x 7 pixels share, as of a
+/// block
+///                   matcher; edges smeared over 3 pixels; shadows; waves of .15 % of the depth
+/// time_of_flight    noise of single pixels; every edge is a row of flying pixels; waves of .15 % of the depth
+/// Throws std::invalid_argument for other names.
+NoiseParams noiseOf(const std::string& sensor);
+
+}  // namespace primitect::synthetic
