@@ -21,14 +21,16 @@ constexpr double kNoTrust = 0.75, kFullTrust = 0.9;
 /// What the image shows where the surface should be.
 enum class Sight { surface, behind, other, unknown };
 
-/// Looks at single pixels.
+/// Looks at single pixels, where the surface of a cylinder or an opened cone should be.
+template <class T>
 class Looking {
  public:
-  Looking(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, const PointNoise& sigma)
-      : cloud_(cloud), rays_(rays), range_(range), sigma_(sigma) {}
+  /// middle: m, a depth of the surface
+  Looking(const T& shape, double middle, const Cloud& cloud, const ImageRays& rays, const DepthRange& range,
+          const PointNoise& sigma)
+      : shape_(shape), middle_(middle), cloud_(cloud), rays_(rays), range_(range), sigma_(sigma) {}
 
   Sight at(int column, int row, const Vec3& expected) const {
-    constexpr double kOnSurface = 4.0;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
     const double sigma = sigma_(expected);
     if (nearBound(expected, sigma)) return Sight::unknown;
@@ -41,6 +43,8 @@ class Looking {
   }
 
  private:
+  static constexpr double kOnSurface = 4.0;  // standard deviations, along the ray
+
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * cloud_.width + static_cast<std::size_t>(column);
   }
@@ -75,12 +79,25 @@ class Looking {
     return {next(-1), next(1)};
   }
 
-  /// Single pixels are missing everywhere; a projector beside the camera leaves a gap along the edge of what hides; and
-  /// of what is missing up to the border nobody knows why: what hid may have been cut away.
+  bool showsSurface(int column, int row) const {
+    const std::size_t i = index(column, row);
+    const std::optional<double> z = depthOn(shape_, rays_.through(column, row), middle_);
+    return z && std::abs(cloud_.z[i] - *z) < kOnSurface * sigma_(cloud_.point(i));
+  }
+
+  /// Single pixels are missing everywhere, and blots where what is seen is dark or shines; a projector beside the
+  /// camera leaves a gap along the edge of what hides; and of what is missing up to the border nobody knows why: what
+  /// hid may have been cut away. A blot has the surface on both of its sides: clutter in tatters has holes with what is
+  /// nearer or farther beside them.
   bool inHole(int column, int row, const Vec3& expected, double sigma) const {
     constexpr int kWidestDropout = 8;  // px
     const Gap gap = gapAt(column, row);
-    if (gap.left == 0 || gap.right == 0 || gap.left + gap.right <= kWidestDropout) return false;
+    constexpr int kWidestBlot = 30;  // px
+    const int width = gap.left + gap.right;
+    if (gap.left == 0 || gap.right == 0 || width <= kWidestDropout) return false;
+    if (width <= kWidestBlot && showsSurface(column - gap.left, row) && showsSurface(column + gap.right, row)) {
+      return false;
+    }
     return !isShadow(column - gap.left, row, gap.left, expected, sigma) &&
            !isShadow(column + gap.right, row, gap.right, expected, sigma);
   }
@@ -93,6 +110,8 @@ class Looking {
     return hides(i, expected, sigma) && width <= widest + 2.0;
   }
 
+  const T& shape_;
+  double middle_;
   const Cloud& cloud_;
   const ImageRays& rays_;
   const DepthRange& range_;
@@ -173,9 +192,9 @@ Count countOn(const T& shape, const Detection& detection, const List<std::uint32
               const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
   constexpr double kProbes = 2000.0;  // of the box: even a tube across it gets some hundred
   const ObservedPart part(detection.shape, detection.extent);
-  const Looking looking(cloud, rays, range, sigma);
   const auto on = opened(shape);
   const double middle = cloud.z[pixels[pixels.size() / 2]];
+  const Looking looking(on, middle, cloud, rays, range, sigma);
   double nearby = middle;
   Count count;
   const auto lookAt = [&](int column, int row) {
