@@ -77,17 +77,22 @@ class Cells {
     }
   }
 
-  /// Leaves the parts, of cells that touch each other, which hold at least this share of what the largest part holds.
+  /// Leaves the parts, of cells that touch each other, which hold at least this share of the points that one part holds
+  /// at most, or of the cells: samples are denser where the first look explained nothing.
   void keepParts(double share) {
     List<int> part(counts_.size(), 0), open;
-    List<int> held(1, 0);  // by each part, from 1 on
+    List<Part> parts(1);  // from 1 on
     for (std::size_t first = 0; first < counts_.size(); ++first) {
       if (counts_[first] == 0 || part[first] != 0) continue;
-      held.push_back(fill(static_cast<int>(first), static_cast<int>(held.size()), part, open));
+      parts.push_back(fill(static_cast<int>(first), static_cast<int>(parts.size()), part, open));
     }
-    const double least = share * *std::max_element(held.begin(), held.end());
+    double most_points = 0.0, most_cells = 0.0;
+    for (const Part& each : parts) {
+      most_points = std::max(most_points, each.points), most_cells = std::max(most_cells, each.cells);
+    }
     for (std::size_t k = 0; k < counts_.size(); ++k) {
-      if (held[static_cast<std::size_t>(part[k])] < least) counts_[k] = 0;
+      const Part& of = parts[static_cast<std::size_t>(part[k])];
+      if (of.points < share * most_points && of.cells < share * most_cells) counts_[k] = 0;
     }
   }
 
@@ -123,16 +128,20 @@ class Cells {
   }
 
  private:
+  struct Part {
+    double points = 0.0, cells = 0.0;
+  };
+
   int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
 
-  int fill(int first, int number, List<int>& part, List<int>& open) const {
-    int held = 0;
+  Part fill(int first, int number, List<int>& part, List<int>& open) const {
+    Part held;
     open.assign(1, first);
     part[static_cast<std::size_t>(first)] = number;
     while (!open.empty()) {
       const int at = open.back();
       open.pop_back();
-      held += count(at);
+      held.points += count(at), held.cells += 1.0;
       for (const int next : {at - columns_ - 1, at - columns_, at - columns_ + 1, at - 1, at + 1, at + columns_ - 1,
                              at + columns_, at + columns_ + 1}) {
         if (count(next) == 0 || part[static_cast<std::size_t>(next)] != 0) continue;
