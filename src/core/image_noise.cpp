@@ -12,19 +12,29 @@
 
 namespace primitect {
 
-double measureImageNoise(const Cloud& image, NormalSource& source, const Samples& samples) {
+ImageNoise measureImageNoise(const Cloud& image, NormalSource& source, const Samples& samples) {
   // Neighbouring pixels err alike: in windows as small as those of normals two thirds of the noise of real cameras
   // show.
   constexpr double kUsualHalfWidth = 12.0, kSmallest = 4.0;  // px
   constexpr std::size_t kWindows = 48, kFewest = 12;
   const double half_width = std::max(kUsualHalfWidth * shareOfUsualWindows(raysOf(image, source)), kSmallest);
   const PixelPitch& pitch = pixelPitch(image, source);
-  List<double> deviations;
+  List<double> deviations, correlations;
   for (std::size_t i = 0; i < samples.size(); i += samples.size() / kWindows + 1) {
-    const auto deviation = windowDeviation(image, samples.index[i], static_cast<int>(std::lround(half_width)), pitch);
-    if (deviation) deviations.push_back(*deviation);
+    const auto noise = windowNoise(image, samples.index[i], static_cast<int>(std::lround(half_width)), pitch);
+    if (!noise) continue;
+    deviations.push_back(noise->deviation);
+    correlations.push_back(noise->likeness);
   }
-  return deviations.size() < kFewest ? 0.0 : lowerQuartile(deviations);
+  if (deviations.size() < kFewest) return {};
+  const auto middle = correlations.begin() + static_cast<std::ptrdiff_t>(correlations.size() / 2);
+  std::nth_element(correlations.begin(), middle, correlations.end());
+  return {lowerQuartile(deviations), *middle};
+}
+
+double grainOf(const ImageNoise& noise) {
+  constexpr double kUsual = 0.45, kPerPixel = 1.0 / 60.0, kMost = 7.0;
+  return std::clamp(1.0 + (noise.likeness - kUsual) / kPerPixel, 1.0, kMost);
 }
 
 }  // namespace primitect

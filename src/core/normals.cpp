@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/flying_pixels.h"
 #include "core/neighbors.h"
+#include "core/noise.h"
 
 namespace primitect {
 namespace {
@@ -35,21 +37,59 @@ bool anyNormal(const Samples& samples) {
   return std::any_of(samples.nx.begin(), samples.nx.end(), [](float nx) { return nx == nx; });
 }
 
-void fitWindows(const Cloud& image, const PixelPitch& pitch, int window_at_one_meter, double share, double noise_scale,
-                Samples& samples) {
-  constexpr double kSmallestWindow = 3.0, kFewestPixels = 2.0;
-  // Twice the half width and one is the width.
-  const double at_one_meter = share * (window_at_one_meter + 0.5) - 0.5;
-  const double smallest = std::max(std::min(share * kSmallestWindow, at_one_meter), kFewestPixels);
-  // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
-  const double largest = std::max(smallest, std::floor(1.5 * at_one_meter));
+/// Half widths of the windows that normals are fitted to.
+class WindowSizes {
+ public:
+  /// at_one_meter: px, of usual images
+  WindowSizes(int at_one_meter, const ImageRays& rays, const NormalSource& source)
+      : share_(shareOfUsualWindows(rays)),
+        pitch_(rays.known ? std::abs(rays.x_scale) : 0.0),
+        grainy_noise_(source.grain > 1.0 ? source.grain * source.noise_scale : 0.0) {
+    constexpr double kSmallestWindow = 3.0, kFewestPixels = 2.0;
+    // Twice the half width and one is the width.
+    at_one_meter_ = share_ * (at_one_meter + 0.5) - 0.5;
+    smallest_ = std::max(std::min(share_ * kSmallestWindow, at_one_meter_), kFewestPixels);
+    // Never larger than 1.5 times the value at 1 m: nearer than that the noise no longer asks for it.
+    largest_ = std::max(smallest_, std::floor(1.5 * at_one_meter_));
+  }
+
+  double shareOfUsual() const { return share_; }
+
+  /// At this depth (m).
+  int at(double depth) const {
+    const double usual = std::clamp(at_one_meter_ / depth, smallest_, largest_);
+    return static_cast<int>(std::lround(std::max(usual, std::min(forGrains(depth), kLargestForGrains))));
+  }
+
+ private:
+  static constexpr double kLargestForGrains = 20.0;  // px
+
+  /// Of noise that neighbours share a window holds less that is independent: it must be larger where this would turn
+  /// the normals too far. Over w^2 pixels the slope has the deviation sqrt(12) sigma grain / (pitch z w^2).
+  double forGrains(double depth) const {
+    constexpr double kMostTurn = 0.15;  // rad, one standard deviation
+    if (pitch_ == 0.0) return 0.0;
+    const double sigma = grainy_noise_ * axialNoise(depth);
+    return 0.5 * (std::sqrt(std::sqrt(12.0) * sigma / (pitch_ * depth * kMostTurn)) - 1.0);
+  }
+
+  double share_, pitch_, grainy_noise_;
+  double at_one_meter_, smallest_, largest_;
+};
+
+void fitWindows(const Cloud& image, int window_at_one_meter, NormalSource& source, Samples& samples) {
+  // With all of the grain of block matching more false shapes are found than true ones.
+  constexpr double kMostSaid = 3.0;
+  const ImageRays& rays = raysOf(image, source);
+  const PixelPitch& pitch = pixelPitch(image, source);
+  const WindowSizes sizes(window_at_one_meter, rays, source);
+  const double shared = std::min(source.grain, kMostSaid);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double wanted = std::clamp(at_one_meter / samples.z[i], smallest, largest);
-    const int half_width = static_cast<int>(std::lround(wanted));
-    const auto normal = windowNormal(image, samples.index[i], samples.point(i), half_width, pitch, noise_scale);
-    if (!normal) continue;
+    const std::uint32_t pixel = samples.index[i];
+    const auto normal = windowNormal(image, pixel, samples.point(i), sizes.at(samples.z[i]), pitch, source.noise_scale);
+    if (!normal || fliesBetween(image, rays, pixel, normal->direction, sizes.shareOfUsual())) continue;
     store(normal->direction, i, samples);
-    samples.normal_sigma[i] = static_cast<float>(normal->sigma);
+    samples.normal_sigma[i] = static_cast<float>(shared * normal->sigma);
   }
 }
 
@@ -140,8 +180,7 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
     if (anyNormal(samples) && source.neighbor_count <= 0) return;
   }
   if (source.neighbor_count <= 0 && isDepthImage(cloud)) {
-    const double share = shareOfUsualWindows(raysOf(cloud, source));
-    return fitWindows(cloud, pixelPitch(cloud, source), params.normal_window, share, source.noise_scale, samples);
+    return fitWindows(cloud, params.normal_window, source, samples);
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;

@@ -21,6 +21,7 @@ struct NormalSource {
   std::optional<ImageRays> rays;    ///< of the organized cloud
   std::optional<PixelPitch> pitch;  ///< the same
   double noise_scale = 1.0;         ///< of the image, times axialNoise()
+  double grain = 1.0;               ///< grainOf() the image
   int neighbor_count =
       0;  ///< above 0: measured anew from so many neighbours, instead of the cloud's own or normal_neighbors
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/noise.h"
 #include "kernels/loops.h"
@@ -47,6 +48,7 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
 struct WindowErrors {
   static constexpr std::size_t kEvery = 2, kMost = kernels::kLargestHalfWidth + 1;
   std::array<double, kMost * kMost> u, v, error;
+  std::array<std::size_t, kMost * kMost> place;  // in rows of kMost
   std::size_t count = 0;
 
   WindowErrors(const Cloud& image, const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
@@ -54,12 +56,14 @@ struct WindowErrors {
     // The row and column of the centre are among them: others may be missing throughout.
     const auto low = [half](std::size_t at) { return at < half ? at % kEvery : at - half + half % kEvery; };
     const auto high = [half](std::size_t at, std::size_t size) { return std::min(at + half, size - 1); };
-    for (std::size_t y = low(row); y <= high(row, image.height); y += kEvery) {
-      for (std::size_t x = low(column); x <= high(column, image.width); x += kEvery) {
+    const std::size_t top = low(row), left = low(column);
+    for (std::size_t y = top; y <= high(row, image.height); y += kEvery) {
+      for (std::size_t x = left; x <= high(column, image.width); x += kEvery) {
         const std::size_t k = y * image.width + x;
         const double inverse = 1.0 / image.z[k];
         u[count] = image.x[k] * inverse - task.u, v[count] = image.y[k] * inverse - task.v;
         error[count] = task.depth * inverse - 1.0 - plane.a * u[count] - plane.b * v[count] - plane.c;
+        place[count] = (y - top) / kEvery * kMost + (x - left) / kEvery;
         count += std::abs(error[count]) < task.tolerance ? 1 : 0;
       }
     }
@@ -87,6 +91,28 @@ struct WindowErrors {
     for (std::size_t k = 0; k < count; ++k) squares += error[k] * error[k];
     return std::sqrt(squares / static_cast<double>(count - taken));
   }
+
+  /// Correlation of the errors of pixels that are kEvery apart in a row or a column; nothing where few tell it.
+  std::optional<double> likeness() const {
+    constexpr std::size_t kFewest = 24;
+    std::array<double, kMost * kMost> in_place;
+    in_place.fill(std::numeric_limits<double>::quiet_NaN());
+    double squares = 0.0, products = 0.0, pairs = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      in_place[place[k]] = error[k];
+      squares += error[k] * error[k] / static_cast<double>(count);
+    }
+    const auto add = [&](std::size_t a, std::size_t b) {
+      const double product = in_place[a] * in_place[b];
+      if (product == product) products += product, pairs += 1.0;
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      if (place[k] % kMost != kMost - 1) add(place[k], place[k] + 1);
+      if (place[k] / kMost != kMost - 1) add(place[k], place[k] + kMost);
+    }
+    if (pairs < kFewest || !(squares > 0.0)) return std::nullopt;
+    return products / (pairs * squares);
+  }
 };
 
 }  // namespace
@@ -111,8 +137,8 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
   return WindowNormal{-normal.normalized(), noise};
 }
 
-std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, int half_width,
-                                      const PixelPitch& pitch) {
+std::optional<WindowNoise> windowNoise(const Cloud& image, std::uint32_t pixel, int half_width,
+                                       const PixelPitch& pitch) {
   constexpr double kMostNoise = 4.0;  // what strays three standard deviations of it is another surface
   const Vec3 center = image.point(pixel);
   if (!(center.z() > 0.0)) return std::nullopt;
@@ -124,9 +150,9 @@ std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, i
   off.takeOut([](double u, double) { return u * u; });
   off.takeOut([](double, double v) { return v * v; });
   off.takeOut([](double u, double v) { return u * v; });
-  const std::optional<double> deviation = off.deviation(3);
-  if (!deviation) return std::nullopt;
-  return *deviation * center.z() / axialNoise(center.z());
+  const std::optional<double> deviation = off.deviation(3), likeness = off.likeness();
+  if (!deviation || !likeness) return std::nullopt;
+  return WindowNoise{*deviation * center.z() / axialNoise(center.z()), *likeness};
 }
 
 }  // namespace primitect

@@ -28,8 +28,15 @@ std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel
 std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width,
                                          const PixelPitch& pitch = {}, double noise_scale = 1.0);
 
-/// How far the depths in such a window stray from the surface that leaves the plane as a parabola does, in standard
-/// deviations of axialNoise(): up to about five; six at most. half_width as above.
-std::optional<double> windowDeviation(const Cloud& image, std::uint32_t pixel, int half_width, const PixelPitch& pitch);
+/// How depths stray from a smooth surface.
+struct WindowNoise {
+  double deviation;  ///< standard deviations of axialNoise(): up to about five; six at most
+  double likeness;   ///< correlation of the errors of pixels two apart, in a row or a column
+};
+
+/// Noise of the depths in such a window about the surface that leaves the plane as a parabola does. half_width as
+/// above.
+std::optional<WindowNoise> windowNoise(const Cloud& image, std::uint32_t pixel, int half_width,
+                                       const PixelPitch& pitch);
 
 }  // namespace primitect

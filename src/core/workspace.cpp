@@ -205,8 +205,10 @@ void Detector::Workspace::measureScale() {
 
 void Detector::Workspace::measureImageNoise(const Cloud& image) {
   if (!depth_camera || !isDepthImage(image)) return;
-  result.image_noise = primitect::measureImageNoise(image, normal_source, samples);
-  normal_source.noise_scale = toleratedScale(result.image_noise);
+  const ImageNoise noise = primitect::measureImageNoise(image, normal_source, samples);
+  result.image_noise = noise.scale;
+  normal_source.noise_scale = toleratedScale(noise.scale);
+  normal_source.grain = grainOf(noise);
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {

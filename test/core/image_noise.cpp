@@ -32,12 +32,14 @@ Cloud tableCloud(double scale, std::uint64_t seed, int grain = 1) {
   return test::renderedCloud(synthetic::clutteredTable(seed), noisy(scale, grain), seed, synthetic::clutterPose(seed));
 }
 
-double measuredIn(const Cloud& image) {
+ImageNoise noiseIn(const Cloud& image) {
   Samples samples;
   drawSamples(image, 900, 1, samples);
   NormalSource source;
   return measureImageNoise(image, source, samples);
 }
+
+double measuredIn(const Cloud& image) { return noiseIn(image).scale; }
 
 TEST(ImageNoise, IsThatOfTheSensor) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
@@ -47,6 +49,17 @@ TEST(ImageNoise, IsThatOfTheSensor) {
     EXPECT_NEAR(measuredIn(tableCloud(3.0, seed)), 3.0, 0.35);
     EXPECT_GT(measuredIn(tableCloud(10.0, seed)), 3.0) << "as far as can be told";
   }
+}
+
+TEST(ImageNoise, IsAlikeInGrains) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    EXPECT_NEAR(noiseIn(tableCloud(3.0, seed)).likeness, 0.0, 0.1);
+    EXPECT_NEAR(noiseIn(tableCloud(3.0, seed, 3)).likeness, 0.3, 0.1);
+    EXPECT_NEAR(noiseIn(tableCloud(3.0, seed, 7)).likeness, 0.57, 0.06);
+    EXPECT_EQ(grainOf(noiseIn(tableCloud(1.0, seed))), 1.0);
+    EXPECT_GT(grainOf(noiseIn(tableCloud(3.0, seed, 7))), 4.0);
+  }
+  EXPECT_EQ(grainOf(ImageNoise()), 1.0) << "not measured";
 }
 
 /// Of a thing that was cut out of its frame nothing flat is in view.
