@@ -77,9 +77,11 @@ class Cells {
     }
   }
 
-  /// Leaves the parts, of cells that touch each other, which hold at least this share of the points that one part holds
-  /// at most, or of the cells: samples are denser where the first look explained nothing.
+  /// Leaves the parts, of cells that touch each other, which hold at least this share of what the part with most points
+  /// holds, or a quarter of that in half of the cells that one has at most: samples are denser where the first look
+  /// explained nothing, and few may be in what is large.
   void keepParts(double share) {
+    constexpr double kWide = 0.5, kThin = 0.25;
     List<int> part(counts_.size(), 0), open;
     List<Part> parts(1);  // from 1 on
     for (std::size_t first = 0; first < counts_.size(); ++first) {
@@ -92,7 +94,8 @@ class Cells {
     }
     for (std::size_t k = 0; k < counts_.size(); ++k) {
       const Part& of = parts[static_cast<std::size_t>(part[k])];
-      if (of.points < share * most_points && of.cells < share * most_cells) counts_[k] = 0;
+      const bool wide = of.cells >= kWide * most_cells && of.points >= kThin * share * most_points;
+      if (of.points < share * most_points && !wide) counts_[k] = 0;
     }
   }
 

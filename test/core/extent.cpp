@@ -210,6 +210,17 @@ TEST(Extent, OfAPlaneHoldsPartsOfAFifthOfTheLargestOrMore) {
   }
 }
 
+/// As of a wall above and below a table, where the closer look drew from the part below.
+TEST(Extent, OfAPlaneHoldsLargePartsThatFewSamplesSaw) {
+  Random random(42);
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  for (const auto& [count, width] : {std::pair(250, 0.75), std::pair(60, 0.1)}) {
+    std::vector<Vec3> points = pointsOf(patchOf(plane, 2000, 0.05, random));
+    for (const Vec3& point : pointsOf(patchOf(plane, count, 0.15, random))) points.push_back(point + Vec3(0.55, 0, 0));
+    EXPECT_NEAR(measureExtent(plane, points).size.x(), width, 0.03) << count;
+  }
+}
+
 TEST(Extent, OfAPlaneHoldsTheOutermostButNotWhatLiesApart) {
   const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
   std::vector<Vec3> points;
