@@ -9,6 +9,7 @@
 
 #include "messages.h"
 #include "parameters.h"
+#include "synthetic/sensors.h"
 #include "synthetic/tabletop.h"
 #include "synthetic_messages.h"
 
@@ -22,6 +23,7 @@ const std::vector<ParamInfo>& settingsTable() {
       {"rate", "", 30.0, 0.1, 200.0, {}, "Hz", "frames a second"},
       {"speed", "", 1.0, 0.0, 10.0, {}, "", "how fast the camera moves; 0 = it stands still"},
       {"seed", "", 1, 0, 2147483647, {}, "", "which tabletop, and its noise"},
+      {"sensor", "", synthetic::sensorNames().front(), 0, 0, synthetic::sensorNames(), "", "what kind of depth camera"},
       {"noise_scale", "", 1.0, 0.0, 10.0, {}, "", "times the sensor's depth noise; 0 = exact depths"},
       {"width", "", 640, 16, 2048, {}, "px", "of the image; the field of view stays the same"},
       {"height", "", 480, 16, 2048, {}, "px", "of the image"},
@@ -73,8 +75,9 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
   settings.depth_encoding = std::get<Text>(values.at("depth_encoding"));
   settings.camera =
       synthetic::PinholeCamera().scaledTo(std::get<int>(values.at("width")), std::get<int>(values.at("height")));
+  settings.frame.noise = synthetic::noiseOf(std::get<Text>(values.at("sensor")));
   settings.frame.noise.scale = std::get<double>(values.at("noise_scale"));
-  if (settings.frame.noise.scale == 0.0) settings.frame.noise.disparity_step = 0.0;
+  if (settings.frame.noise.scale == 0.0) settings.frame.noise.disparity_step = settings.frame.noise.waves = 0.0;
   // As many pixels as needed at the default resolution, in proportion.
   const double shrink = static_cast<double>(settings.camera.pixelCount()) / synthetic::PinholeCamera().pixelCount();
   settings.frame.truth.min_pixels = static_cast<std::uint32_t>(settings.frame.truth.min_pixels * shrink);
