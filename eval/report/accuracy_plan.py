@@ -80,7 +80,7 @@ def variant_rows():
         yield Row(section, title, recipe, "all", like(other, 1.0))
 
 
-def noisy_camera_rows():
+def other_camera_rows():
     """What is told only."""
     section = "Tables seen by other cameras"
     for title, recipe in (("stereo", Recipe("tabletop", sensor="stereo")),
@@ -96,7 +96,7 @@ def noisy_camera_rows():
 
 def rows():
     """All rows in the order of the table."""
-    return [row for make in (paper_rows, noise_rows, small_rows, tabletop_rows, variant_rows, noisy_camera_rows)
+    return [row for make in (paper_rows, noise_rows, small_rows, tabletop_rows, variant_rows, other_camera_rows)
             for row in make()]
 
 

@@ -38,7 +38,10 @@ def command_of(program, call):
 def task_text(call):
     """"paper-mixed, seed 1000, outliers 0.3": only what is not as usual."""
     usual = Recipe(call.recipe.set)
-    special = [name.replace("_", " ") + (" %s" if isinstance(value, str) else " %g") % value for name, value, normal in zip(
+    def said(value):
+        return value if isinstance(value, str) else "%g" % value
+
+    special = ["%s %s" % (name.replace("_", " "), said(value)) for name, value, normal in zip(
         Recipe._fields, call.recipe, usual) if value != normal]
     return ", ".join([call.recipe.set, "seed %d" % call.first] + special)
 

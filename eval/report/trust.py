@@ -16,6 +16,7 @@ FRAMES = ("tabletop", "clutter")  # sets of depth frames: noise of neighbours is
 CUT_OUT = "objects"
 SCENES, DEPTH_FRAMES, SHUFFLED = "scenes", "depth frames", "shuffled frames"
 CUT_OUTS, NOISY, GRAINY = "cut out of frames", "frames with more noise", "frames with noise in grains"
+OTHER_SENSORS = "frames of other sensors, and with blots"
 
 
 def detections(lines):
@@ -55,22 +56,23 @@ def normalised_error(lines, kind, part):
 def group_of(line):
     """Name of the group that a cloud belongs to: paper-like scenes, depth frames, and what is unlike these. Frames that
     were shuffled have no rows any more, and with these the detector no longer sees whose pixels are next to each other;
-    in grains noise errs alike in neighbours, farther than covariances expect, and so it does with other sensors than
-    structured light."""
+    in grains noise errs alike in neighbours, farther than covariances expect, and other sensors bend what they see."""
     if line["set"] == CUT_OUT:
         return CUT_OUTS
     if line["set"] not in FRAMES:
         return SCENES
     if line.get("shuffle"):
         return SHUFFLED
-    if line.get("noise_grain", 1) > 1 or line.get("sensor", "structured_light") != "structured_light":
+    if line.get("sensor", "structured_light") != "structured_light" or line.get("blots", 0.0) > 0.0:
+        return OTHER_SENSORS
+    if line.get("noise_grain", 1) > 1:
         return GRAINY
     return NOISY if line.get("noise_scale", 1.0) > 1.0 else DEPTH_FRAMES
 
 
 def groups(lines):
     """Lines with detections by the name of their group."""
-    chosen = {name: [] for name in (SCENES, DEPTH_FRAMES, SHUFFLED, CUT_OUTS, NOISY, GRAINY)}
+    chosen = {name: [] for name in (SCENES, DEPTH_FRAMES, SHUFFLED, CUT_OUTS, NOISY, GRAINY, OTHER_SENSORS)}
     for line in lines:
         chosen[group_of(line)].append(line)
     return {name: some for name, some in chosen.items() if detections(some)}

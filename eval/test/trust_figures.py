@@ -81,11 +81,13 @@ def test_frames_of_noisier_cameras_stand_apart():
                         "frames with noise in grains": [(2.0, 5)]}
 
 
-def test_frames_of_other_sensors_are_with_those_whose_neighbours_err_alike():
-    lines = [line(set="tabletop", sensor=sensor, detections=[found(0.9, "right")])
-             for sensor in ("structured_light", "stereo")]
-    of_group = {name: [one["sensor"] for one in some] for name, some in trust.groups(lines).items()}
-    assert of_group == {"depth frames": ["structured_light"], "frames with noise in grains": ["stereo"]}
+def test_frames_of_other_sensors_stand_apart():
+    cameras = (("structured_light", 0.0), ("stereo", 0.0), ("structured_light", 0.2))
+    lines = [line(set="tabletop", sensor=sensor, blots=blots, detections=[found(0.9, "right")])
+             for sensor, blots in cameras]
+    of_group = {name: [(one["sensor"], one["blots"]) for one in some] for name, some in trust.groups(lines).items()}
+    assert of_group == {"depth frames": [("structured_light", 0.0)],
+                        "frames of other sensors, and with blots": [("stereo", 0.0), ("structured_light", 0.2)]}
 
 
 def test_frames_that_were_shuffled_stand_apart():

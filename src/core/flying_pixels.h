@@ -11,9 +11,17 @@
 
 namespace primitect {
 
-/// A surface seen at less than 12 deg that is a few pixels wide from its near to its far side: such pixels around a
-/// ball look like a sharp cone, along the edge of a box like a plane. The normal has been measured at this pixel;
-/// share: of usual windows (shareOfUsualWindows). Of images without known rays nothing is told.
-bool fliesBetween(const Cloud& image, const ImageRays& rays, std::uint32_t pixel, const Vec3& normal, double share);
+/// An image, and how it measures.
+struct ImageOfCamera {
+  const Cloud& image;
+  const ImageRays& rays;
+  double noise_scale;  ///< times axialNoise()
+  double share;        ///< of usual windows (shareOfUsualWindows)
+};
+
+/// A surface with this point and normal is seen at less than 12 deg and a few pixels wide, with something else measured
+/// beyond its near and its far side: such pixels around a ball look like a sharp cone, along the edge of a box like a
+/// plane. Of images without known rays nothing is told.
+bool fliesBetween(const ImageOfCamera& camera, std::uint32_t pixel, const Vec3& point, const Vec3& normal);
 
 }  // namespace primitect

@@ -14,22 +14,24 @@ namespace primitect {
 
 ImageNoise measureImageNoise(const Cloud& image, NormalSource& source, const Samples& samples) {
   // Neighbouring pixels err alike: in windows as small as those of normals two thirds of the noise of real cameras
-  // show.
-  constexpr double kUsualHalfWidth = 12.0, kSmallest = 4.0;  // px
+  // show. Grains are as many pixels wide in coarse images, too: in smaller windows they go with the parabola.
+  constexpr int kUsualHalfWidth = 12, kSmallest = 4;  // px
   constexpr std::size_t kWindows = 48, kFewest = 12;
-  const double half_width = std::max(kUsualHalfWidth * shareOfUsualWindows(raysOf(image, source)), kSmallest);
+  const double share = shareOfUsualWindows(raysOf(image, source));
+  const int half_width = std::max(static_cast<int>(std::lround(kUsualHalfWidth * share)), kSmallest);
   const PixelPitch& pitch = pixelPitch(image, source);
-  List<double> deviations, correlations;
+  List<double> deviations, likenesses;
   for (std::size_t i = 0; i < samples.size(); i += samples.size() / kWindows + 1) {
-    const auto noise = windowNoise(image, samples.index[i], static_cast<int>(std::lround(half_width)), pitch);
-    if (!noise) continue;
-    deviations.push_back(noise->deviation);
-    correlations.push_back(noise->likeness);
+    const auto noise = windowNoise(image, samples.index[i], half_width, pitch);
+    if (noise) deviations.push_back(noise->deviation);
+    const bool usual = half_width == kUsualHalfWidth;
+    const auto wide = usual ? noise : windowNoise(image, samples.index[i], kUsualHalfWidth, pitch);
+    if (wide && wide->likeness) likenesses.push_back(*wide->likeness);
   }
-  if (deviations.size() < kFewest) return {};
-  const auto middle = correlations.begin() + static_cast<std::ptrdiff_t>(correlations.size() / 2);
-  std::nth_element(correlations.begin(), middle, correlations.end());
-  return {lowerQuartile(deviations), *middle};
+  ImageNoise result;
+  if (deviations.size() >= kFewest) result.scale = lowerQuartile(deviations);
+  if (likenesses.size() >= kFewest) result.likeness = median(likenesses);
+  return result;
 }
 
 double grainOf(const ImageNoise& noise) {

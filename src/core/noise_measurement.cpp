@@ -13,11 +13,7 @@ namespace primitect {
 namespace {
 
 /// 1.4826 times the median: the standard deviation of a normal distribution, whatever lies outside.
-double robustDeviation(List<double>& magnitudes) {
-  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  return 1.4826 * *middle;
-}
+double robustDeviation(List<double>& magnitudes) { return 1.4826 * median(magnitudes); }
 
 }  // namespace
 

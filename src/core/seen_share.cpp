@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/normals.h"
 #include "core/observed_part.h"
 #include "core/ramp.h"
 #include "core/ray_depth.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr double kNoTrust = 0.75, kFullTrust = 0.9;
 
 /// What the image shows where the surface should be.
-enum class Sight { surface, behind, other, unknown };
+enum class Sight { surface, behind, other, blot, unknown };
 
 /// Looks at single pixels, where the surface of a cylinder or an opened cone should be.
 template <class T>
@@ -35,7 +36,7 @@ class Looking {
     const double sigma = sigma_(expected);
     if (nearBound(expected, sigma)) return Sight::unknown;
     if (cloud_.isBeyond(i)) return Sight::behind;
-    if (!cloud_.valid(i)) return inHole(column, row, expected, sigma) ? Sight::other : Sight::unknown;
+    if (!cloud_.valid(i)) return inGap(column, row, expected, sigma);
     if (hides(i, expected, sigma)) return Sight::unknown;
     const double away = cloud_.z[i] - expected.z();
     if (std::abs(away) < kOnSurface * sigma) return Sight::surface;
@@ -61,45 +62,55 @@ class Looking {
     return range_.endsWithin(kDeviations * sigma, expected.z());
   }
 
-  /// The measured pixels on either side of a gap in a row; 0: none.
+  /// The measured pixels on either side of a gap in a row or a column; 0: none.
   struct Gap {
-    int left, right;  ///< px from the place in it
+    int before, after;  ///< px from the place in it
+
+    int width() const { return before + after; }
+    bool hasBoth() const { return before > 0 && after > 0; }
   };
 
-  Gap gapAt(int column, int row) const {
+  Gap gapAt(int column, int row, int right, int down) const {
     constexpr int kLongest = 200;  // px
     const auto next = [&](int step) {
       for (int away = 1; away <= kLongest; ++away) {
-        const int c = column + away * step;
-        if (c < 0 || c >= static_cast<int>(cloud_.width)) return 0;
-        if (cloud_.valid(index(c, row))) return away;
+        const int c = column + away * step * right, r = row + away * step * down;
+        if (c < 0 || c >= static_cast<int>(cloud_.width) || r < 0 || r >= static_cast<int>(cloud_.height)) return 0;
+        if (cloud_.valid(index(c, r))) return away;
       }
       return 0;
     };
     return {next(-1), next(1)};
   }
 
+  /// Clearly, as noise alone seldom takes a point so far off; with 4 deviations a calibration board whose dark squares
+  /// are missing carries twice as many cones.
   bool showsSurface(int column, int row) const {
+    constexpr double kClearly = 1.5;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
     const std::optional<double> z = depthOn(shape_, rays_.through(column, row), middle_);
-    return z && std::abs(cloud_.z[i] - *z) < kOnSurface * sigma_(cloud_.point(i));
+    return z && std::abs(cloud_.z[i] - *z) < kClearly * sigma_(cloud_.point(i));
   }
 
-  /// Single pixels are missing everywhere, and blots where what is seen is dark or shines; a projector beside the
-  /// camera leaves a gap along the edge of what hides; and of what is missing up to the border nobody knows why: what
-  /// hid may have been cut away. A blot has the surface on both of its sides: clutter in tatters has holes with what is
-  /// nearer or farther beside them.
-  bool inHole(int column, int row, const Vec3& expected, double sigma) const {
+  /// What is dark or glossy has holes, with its surface on both sides. Clutter in tatters has something nearer or
+  /// farther beside them.
+  bool isBlot(const Gap& gap, int column, int row, int right, int down) const {
+    constexpr double kWidest = 60.0;  // px, of usual images
+    return gap.hasBoth() && gap.width() <= kWidest * shareOfUsualWindows(rays_) &&
+           showsSurface(column - gap.before * right, row - gap.before * down) &&
+           showsSurface(column + gap.after * right, row + gap.after * down);
+  }
+
+  /// Single pixels are missing everywhere; a projector beside the camera leaves a gap along the edge of what hides; and
+  /// of what is missing up to the border nobody knows why: what hid may have been cut away.
+  Sight inGap(int column, int row, const Vec3& expected, double sigma) const {
     constexpr int kWidestDropout = 8;  // px
-    const Gap gap = gapAt(column, row);
-    constexpr int kWidestBlot = 30;  // px
-    const int width = gap.left + gap.right;
-    if (gap.left == 0 || gap.right == 0 || width <= kWidestDropout) return false;
-    if (width <= kWidestBlot && showsSurface(column - gap.left, row) && showsSurface(column + gap.right, row)) {
-      return false;
-    }
-    return !isShadow(column - gap.left, row, gap.left, expected, sigma) &&
-           !isShadow(column + gap.right, row, gap.right, expected, sigma);
+    const Gap gap = gapAt(column, row, 1, 0);
+    if (!gap.hasBoth() || gap.width() <= kWidestDropout) return Sight::unknown;
+    if (isBlot(gap, column, row, 1, 0) || isBlot(gapAt(column, row, 0, 1), column, row, 0, 1)) return Sight::blot;
+    const bool shadow = isShadow(column - gap.before, row, gap.before, expected, sigma) ||
+                        isShadow(column + gap.after, row, gap.after, expected, sigma);
+    return shadow ? Sight::unknown : Sight::other;
   }
 
   /// A gap as wide as this may be the shadow of the pixel at its end.
@@ -163,13 +174,21 @@ bool faces(const T& shape, bool concave, const Vec3& point) {
 
 /// How much of what was looked for was seen.
 struct Count {
-  std::size_t surface = 0, behind = 0, other = 0;
+  double surface = 0.0, behind = 0.0, other = 0.0;
 
-  std::size_t asked() const { return surface + behind + other; }
-  double of(std::size_t some) const { return static_cast<double>(some) / static_cast<double>(asked()); }
+  void add(Sight sight) {
+    // With a third of its surface missing a can keeps all of its confidence; the squares of a calibration board, of
+    // which half is missing, are none.
+    constexpr double kBlot = 0.25;
+    surface += sight == Sight::surface ? 1.0 : 0.0;
+    behind += sight == Sight::behind ? 1.0 : 0.0;
+    other += sight == Sight::other ? 1.0 : sight == Sight::blot ? kBlot : 0.0;
+  }
+  double asked() const { return surface + behind + other; }
+  double of(double some) const { return some / asked(); }
   double share() const { return of(surface); }
   bool enough() const {
-    constexpr std::size_t kFewest = 100;  // a share of 0.9 is then known to 0.03
+    constexpr double kFewest = 100.0;  // a share of 0.9 is then known to 0.03
     return asked() >= kFewest;
   }
 
@@ -179,10 +198,10 @@ struct Count {
     constexpr double kDeviations = 3.0;
     // A share of 0.85 is then known to 0.016, in a grid rather better. Of what is seen to about so much all places were
     // asked: 2 % of the instructions of a frame that is full of it.
-    constexpr std::size_t kMost = 500;
+    constexpr double kMost = 500.0;
     if (!enough()) return false;
     if (asked() >= kMost) return true;
-    const double margin = kDeviations * std::sqrt(share() * (1.0 - share()) / static_cast<double>(asked()));
+    const double margin = kDeviations * std::sqrt(share() * (1.0 - share()) / asked());
     return share() - margin > kFullTrust || share() + margin < kNoTrust;
   }
 };
@@ -207,10 +226,7 @@ Count countOn(const T& shape, const Detection& detection, const List<std::uint32
     if (!faces(shape, detection.concave, point)) return;
     nearby = *z;  // from a probe that met the far side, the next would, too
     if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
-    const Sight sight = looking.at(column, row, point);
-    count.surface += sight == Sight::surface ? 1 : 0;
-    count.behind += sight == Sight::behind ? 1 : 0;
-    count.other += sight == Sight::other ? 1 : 0;
+    count.add(looking.at(column, row, point));
   };
   Box(pixels, cloud.width).forPlaces(kProbes, lookAt, [&count] { return count.settled(); });
   return count;

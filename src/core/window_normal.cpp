@@ -150,9 +150,9 @@ std::optional<WindowNoise> windowNoise(const Cloud& image, std::uint32_t pixel, 
   off.takeOut([](double u, double) { return u * u; });
   off.takeOut([](double, double v) { return v * v; });
   off.takeOut([](double u, double v) { return u * v; });
-  const std::optional<double> deviation = off.deviation(3), likeness = off.likeness();
-  if (!deviation || !likeness) return std::nullopt;
-  return WindowNoise{*deviation * center.z() / axialNoise(center.z()), *likeness};
+  const std::optional<double> deviation = off.deviation(3);
+  if (!deviation) return std::nullopt;
+  return WindowNoise{*deviation * center.z() / axialNoise(center.z()), off.likeness()};
 }
 
 }  // namespace primitect

@@ -31,7 +31,8 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
 /// How depths stray from a smooth surface.
 struct WindowNoise {
   double deviation;  ///< standard deviations of axialNoise(): up to about five; six at most
-  double likeness;   ///< correlation of the errors of pixels two apart, in a row or a column
+  /// Correlation of the errors of pixels two apart, in a row or a column; nothing where few tell it.
+  std::optional<double> likeness;
 };
 
 /// Noise of the depths in such a window about the surface that leaves the plane as a parabola does. half_width as

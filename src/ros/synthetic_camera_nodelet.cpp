@@ -77,7 +77,10 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
       synthetic::PinholeCamera().scaledTo(std::get<int>(values.at("width")), std::get<int>(values.at("height")));
   settings.frame.noise = synthetic::noiseOf(std::get<Text>(values.at("sensor")));
   settings.frame.noise.scale = std::get<double>(values.at("noise_scale"));
-  if (settings.frame.noise.scale == 0.0) settings.frame.noise.disparity_step = settings.frame.noise.waves = 0.0;
+  if (settings.frame.noise.scale == 0.0) {
+    settings.frame.noise.disparity_step = settings.frame.noise.waves = 0.0;
+    settings.frame.noise.footprint = 1;
+  }
   // As many pixels as needed at the default resolution, in proportion.
   const double shrink = static_cast<double>(settings.camera.pixelCount()) / synthetic::PinholeCamera().pixelCount();
   settings.frame.truth.min_pixels = static_cast<std::uint32_t>(settings.frame.truth.min_pixels * shrink);

@@ -38,15 +38,25 @@ void mixNeighbors(int width, const PinholeCamera& camera, std::vector<float>& de
 }
 
 void removeShadows(double baseline, const PinholeCamera& camera, std::vector<float>& depth) {
-  constexpr double kOverlap = 1.0;  // px: neighbours on one surface may fall into one pixel of the other
+  constexpr float kBehind =
+      0.02f;  // of the depth: neighbours on a slanted surface may fall into one pixel of the other
+  const double shift = camera.fx * baseline;
+  std::vector<float> nearest;  // that the other camera sees, from its column that sees what is far at our first one
   for (int v = 0; v < camera.height; ++v) {
-    double farthest = -std::numeric_limits<double>::infinity();  // column of the other, of what lies to the left
+    float* const row = &depth[static_cast<std::size_t>(v) * camera.width];
+    nearest.assign(2 * static_cast<std::size_t>(camera.width), std::numeric_limits<float>::infinity());
+    const auto columnOf = [&](int u) { return static_cast<std::size_t>(std::min(u + shift / row[u], 2e9)); };
     for (int u = 0; u < camera.width; ++u) {
-      float& z = depth[static_cast<std::size_t>(v) * camera.width + u];
-      if (!(z > 0.0f)) continue;
-      const double column = u + camera.fx * baseline / z;
-      if (column < farthest - kOverlap) z = kMissing;
-      farthest = std::max(farthest, column);
+      if (!(row[u] > 0.0f)) continue;
+      // Between two columns it hides a part of both.
+      const std::size_t first = columnOf(u);
+      for (std::size_t c = first; c < std::min(first + 2, nearest.size()); ++c) {
+        nearest[c] = std::min(nearest[c], row[u]);
+      }
+    }
+    for (int u = 0; u < camera.width; ++u) {
+      if (!(row[u] > 0.0f) || columnOf(u) >= nearest.size()) continue;
+      if (nearest[columnOf(u)] < (1.0f - kBehind) * row[u]) row[u] = kMissing;
     }
   }
 }

@@ -30,18 +30,37 @@ NoiseParams ofTimeOfFlight() {
   return params;
 }
 
+struct Sensor {
+  const char* name;
+  NoiseParams noise;
+};
+
+const std::vector<Sensor>& sensors() {
+  static const std::vector<Sensor> all = {
+      {"structured_light", {}}, {"stereo", ofStereo()}, {"time_of_flight", ofTimeOfFlight()}};
+  return all;
+}
+
+std::vector<std::string> namesOf(const std::vector<Sensor>& some) {
+  std::vector<std::string> names;
+  for (const Sensor& sensor : some) names.emplace_back(sensor.name);
+  return names;
+}
+
 }  // namespace
 
 const std::vector<std::string>& sensorNames() {
-  static const std::vector<std::string> names = {"structured_light", "stereo", "time_of_flight"};
+  static const std::vector<std::string> names = namesOf(sensors());
   return names;
 }
 
 NoiseParams noiseOf(const std::string& sensor) {
-  if (sensor == "structured_light") return {};
-  if (sensor == "stereo") return ofStereo();
-  if (sensor == "time_of_flight") return ofTimeOfFlight();
-  throw std::invalid_argument("sensor " + sensor + ": must be structured_light, stereo or time_of_flight");
+  std::string known;
+  for (const Sensor& one : sensors()) {
+    if (sensor == one.name) return one.noise;
+    known += (known.empty() ? "" : ", ") + std::string(one.name);
+  }
+  throw std::invalid_argument("sensor " + sensor + ": must be one of " + known);
 }
 
 }  // namespace primitect::synthetic

@@ -14,10 +14,9 @@ namespace primitect::synthetic {
 const std::vector<std::string>& sensorNames();
 
 /// structured_light  NoiseParams() as it is: noise of single pixels
-/// stereo            noise of .06 px of the disparity (2.3 mm at 1 m, 9 mm at 2 m) that 7 x 7 pixels share, as of a
-/// block
-///                   matcher; edges smeared over 3 pixels; shadows; waves of .15 % of the depth
-/// time_of_flight    noise of single pixels; every edge is a row of flying pixels; waves of .15 % of the depth
+/// stereo            noise of .06 px of the disparity, 2.3 mm at 1 m, 9 mm at 2 m, shared by 7 x 7 pixels; shadows;
+///                   small steps smeared over 3 px, large ones lost; waves of .15 % of the depth
+/// time_of_flight    noise of single pixels; flying pixels along every edge; waves of .15 % of the depth
 /// Throws std::invalid_argument for other names.
 NoiseParams noiseOf(const std::string& sensor);
 

@@ -62,6 +62,44 @@ TEST(ImageNoise, IsAlikeInGrains) {
   EXPECT_EQ(grainOf(ImageNoise()), 1.0) << "not measured";
 }
 
+/// Too few pixels there have neighbours that tell whether they err alike.
+TEST(ImageNoise, IsToldInCoarseImagesWithHoles) {
+  const synthetic::PinholeCamera coarse = synthetic::PinholeCamera().scaledTo(160, 120);
+  synthetic::FrameParams params = noisy(3.0);
+  params.noise.blots = 0.3;
+  params.noise.blot_grain = 1;
+  Cloud cloud;
+  cloudFromDepth(renderFrame(synthetic::clutteredTable(1), coarse, synthetic::clutterPose(1), params, 1, 0).depth,
+                 coarse, params.truth.range, cloud);
+  EXPECT_GT(measuredIn(cloud), 2.0);
+}
+
+/// Far away 7 x 7 pixels that share their noise are nearly a whole window of the usual size.
+TEST(ImageNoise, InGrainsMakesWindowsOfNormalsLarger) {
+  synthetic::World world;
+  world.add("wall", synthetic::Sheet{4.0, 4.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 1.8)));
+  const Cloud cloud = test::renderedCloud(world, noisy(1.5, 7), 3);
+  const auto spreadAndSigma = [&cloud](double grain) {
+    Samples samples;
+    drawSamples(cloud, 900, 1, samples);
+    NormalSource source;
+    source.grain = grain;
+    estimateNormals(cloud, Params(), source, samples);
+    double squares = 0.0, sigmas = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (!samples.hasNormal(i)) continue;
+      squares += samples.normal(i).head<2>().squaredNorm(), sigmas += samples.normal_sigma[i], count += 1.0;
+    }
+    return std::pair(std::sqrt(0.5 * squares / count), sigmas / count);
+  };
+  const auto [usual, usual_sigma] = spreadAndSigma(1.0);
+  const auto [larger, larger_sigma] = spreadAndSigma(7.0);
+  EXPECT_LT(larger, 0.7 * usual);
+  EXPECT_LT(larger, 0.2);
+  EXPECT_GT(usual, 4.0 * usual_sigma) << "as if each pixel erred on its own";
+  EXPECT_LT(larger, 4.0 * larger_sigma);
+}
+
 /// Of a thing that was cut out of its frame nothing flat is in view.
 TEST(ImageNoise, IsNotWhatCurves) {
   for (const double radius : {0.03, 0.05, 0.08}) {

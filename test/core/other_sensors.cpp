@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/flying_pixels.h"
 #include "primitect/detector.h"
@@ -26,54 +28,95 @@ Detections foundIn(const Cloud& cloud) {
   return detector.detect(cloud);
 }
 
-Cloud ballBeforeWall(int footprint, std::uint64_t seed) {
-  synthetic::FrameParams params = seenBy("time_of_flight");
-  params.noise.footprint = footprint;
-  synthetic::World world;
-  world.add("ball", synthetic::Ball{0.09}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.7)));
-  world.add("wall", synthetic::Sheet{2.0, 2.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.9)));
-  return test::renderedCloud(world, params, seed);
-}
+struct BallBeforeWall {
+  double radius, distance, gap;  ///< m, gap: between ball and wall
+  int footprint;                 ///< px
 
-/// All around a ball they lie on the cone that its outline and the camera make.
+  Cloud seen(std::uint64_t seed) const {
+    synthetic::FrameParams params = seenBy("time_of_flight");
+    params.noise.footprint = footprint;
+    synthetic::World world;
+    world.add("ball", synthetic::Ball{radius}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, distance)));
+    world.add("wall", synthetic::Sheet{4.0, 4.0},
+              Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, distance + radius + gap)));
+    return test::renderedCloud(world, params, seed);
+  }
+};
+
+/// All around a ball they lie on the cone that its outline and the camera make: each of these frames has one if they
+/// are taken for samples.
 TEST(OtherSensors, FlyingPixelsAroundABallAreNoCone) {
-  for (const int footprint : {3, 5}) {
+  for (const BallBeforeWall& scene :
+       {BallBeforeWall{0.09, 1.3, 0.06, 3}, BallBeforeWall{0.09, 1.0, 0.1, 5}, BallBeforeWall{0.12, 1.0, 0.06, 5}}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       int balls = 0, others = 0;
-      for (const Detection& item : foundIn(ballBeforeWall(footprint, seed)).items) {
+      for (const Detection& item : foundIn(scene.seen(seed)).items) {
         const Kind kind = kindOf(item.shape);
         balls += kind == Kind::sphere ? 1 : 0;
         others += kind == Kind::cone || kind == Kind::cylinder ? 1 : 0;
       }
-      EXPECT_EQ(balls, 1) << "footprint " << footprint << ", seed " << seed;
-      EXPECT_EQ(others, 0) << "footprint " << footprint << ", seed " << seed;
+      EXPECT_EQ(balls, 1) << scene.radius << " m, seed " << seed;
+      EXPECT_EQ(others, 0) << scene.radius << " m, seed " << seed;
     }
   }
 }
 
-/// A wall that is seen as steeply, of a few columns, and of many.
-TEST(OtherSensors, OnlyNarrowSlopesAreFlyingPixels) {
-  const synthetic::PinholeCamera camera;
-  constexpr double kSlope = 10.0;  // depth over width: seen at less than 6 deg
-  constexpr int kMiddle = 320, kRow = 240;
-  const auto flies = [&](int columns) {
-    std::vector<float> depth(camera.pixelCount());
-    const double at_middle = (kMiddle - camera.cx) / camera.fx;
+/// A wall that is seen at less than 6 deg between two that face the camera, so many pixels wide across its slope.
+class SteepWall {
+ public:
+  /// turn: of the slope in the image, rad
+  SteepWall(double pixels, double turn) : right_(std::cos(turn)), down_(std::sin(turn)) {
+    std::vector<float> depth(camera_.pixelCount());
     for (std::size_t i = 0; i < depth.size(); ++i) {
-      const int column = std::clamp(static_cast<int>(i % 640), kMiddle - columns / 2, kMiddle + columns / 2);
-      // x = (z - 1) / slope + middle
-      depth[i] = static_cast<float>((1.0 - kSlope * at_middle) / (1.0 - kSlope * (column - camera.cx) / camera.fx));
+      const double column = static_cast<double>(i % 640) - kColumn, row = static_cast<double>(i / 640) - kRow;
+      depth[i] = static_cast<float>(depthAt(std::clamp(column * right_ + row * down_, -0.5 * pixels, 0.5 * pixels)));
     }
-    Cloud cloud;
-    cloudFromDepth(depth, camera, DepthRange(), cloud);
-    const Vec3 normal = Vec3(kSlope, 0.0, -1.0).normalized();
-    const ImageRays rays = findRays(cloud);
+    cloudFromDepth(depth, camera_, DepthRange(), cloud_);
+  }
+
+  void lose(int column, int row) {
+    const std::size_t i = static_cast<std::size_t>(kRow + row) * 640 + static_cast<std::size_t>(kColumn + column);
+    cloud_.x[i] = cloud_.y[i] = cloud_.z[i] = std::nanf("");
+  }
+
+  bool flies(double noise_scale = 1.0) const {
+    const ImageRays rays = findRays(cloud_);
     EXPECT_TRUE(rays.known);
-    return fliesBetween(cloud, rays, kRow * 640 + kMiddle, normal, 1.0);
-  };
-  EXPECT_TRUE(flies(2));
-  EXPECT_TRUE(flies(4));
-  EXPECT_FALSE(flies(20));
+    constexpr std::uint32_t kPixel = kRow * 640 + kColumn;
+    const Vec3 point = cloud_.point(kPixel);
+    // Across the slope it is level; along it another place of it.
+    const Vec3 level(-down_, right_, 0.0);
+    const Vec3 along = Vec3(right_, down_, 0.0) * (0.5 / camera_.fx) * 1.0 + Vec3::UnitZ() * (depthAt(0.5) - 1.0);
+    const Vec3 normal = level.cross(along).normalized();
+    return fliesBetween({cloud_, rays, noise_scale, 1.0}, kPixel, point, normal);
+  }
+
+ private:
+  static constexpr int kColumn = 320, kRow = 240;
+
+  /// So many pixels along the slope; 1 m in the middle.
+  static double depthAt(double pixels) { return 1.0 + 0.02 * pixels; }
+
+  synthetic::PinholeCamera camera_;
+  Cloud cloud_;
+  double right_, down_;
+};
+
+TEST(OtherSensors, OnlyNarrowSlopesAreFlyingPixels) {
+  for (const double turn : {0.0, 45.0, 90.0, 120.0, 200.0}) {
+    EXPECT_TRUE(SteepWall(3.0, turn * test::kDegree).flies()) << turn;
+    EXPECT_FALSE(SteepWall(30.0, turn * test::kDegree).flies()) << turn;
+    EXPECT_FALSE(SteepWall(30.0, turn * test::kDegree).flies(3.0)) << turn;
+  }
+}
+
+TEST(OtherSensors, WhatIsMissingMakesNoFlyingPixels) {
+  SteepWall wall(30.0, 0.0);
+  for (const int column : {-3, -1, 1, 2}) wall.lose(column, 0);
+  EXPECT_FALSE(wall.flies());
+  SteepWall alone(3.0, 0.0);
+  for (int column = 1; column < 12; ++column) alone.lose(column, 0);
+  EXPECT_FALSE(alone.flies()) << "nothing was measured behind";
 }
 
 /// A fifth of the image is lost in blots of ten pixels and more, as on dark and glossy cans.

@@ -142,18 +142,14 @@ TEST_F(Can, WithBumpsIsNotSeenThere) {
   EXPECT_NEAR(share(), 0.85, kBorders);
 }
 
-TEST_F(Can, WithAWideHoleIsNotSeenThere) {
+/// As dark and glossy ones have: a quarter of it speaks against the can, and all of it where noise has taken one of the
+/// pixels beside it off the surface, as it does in a quarter of the rows.
+TEST_F(Can, WithABlotIsMostlySeen) {
   render(false);
-  const double left = changeColumns(300, 336, [this](std::uint32_t i) { miss(i); });
-  ASSERT_LT(left, 0.5);
-  EXPECT_NEAR(share(), left, 2.0 * kBorders);  // near the limb nothing is asked
-}
-
-/// As dark and glossy ones have.
-TEST_F(Can, WithABlotIsSeenEverywhere) {
-  render(false);
-  ASSERT_LT(changeColumns(310, 335, [this](std::uint32_t i) { miss(i); }), 0.6);
-  EXPECT_GT(share(), 1.0 - kBorders);
+  const double left = changeColumns(310, 335, [this](std::uint32_t i) { miss(i); });
+  ASSERT_LT(left, 0.6);
+  EXPECT_NEAR(share(), left / (left + (0.75 * 0.25 + 0.25) * (1.0 - left)),
+              2.0 * kBorders);  // near the limb nothing is asked
 }
 
 /// As the leaves of a plant.

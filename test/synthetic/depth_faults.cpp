@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "synthetic/sensors.h"
 
@@ -114,6 +116,33 @@ TEST(Sensors, OfTimeOfFlightLeavesFlyingPixels) {
   };
   EXPECT_GE(between("time_of_flight"), kCamera.height);
   EXPECT_EQ(between("structured_light"), 0);
+}
+
+TEST(DepthFaults, APoleHasAShadowAsWideAsItself) {
+  std::vector<float> depth = step(2.0f, 2.0f);
+  for (int column = 0; column < 5; ++column) depth[240u * 640u + 300u + static_cast<std::size_t>(column)] = 0.8f;
+  removeShadows(0.05, kCamera, depth);
+  int missing = 0;
+  for (int column = 0; column < kCamera.width; ++column) missing += std::isnan(at(depth, column)) ? 1 : 0;
+  EXPECT_NEAR(missing, 5, 2);
+}
+
+/// What addNoise makes of a sensor's parameters, one fault at a time.
+TEST(Sensors, HaveTheirShadowsAndWaves) {
+  NoiseParams stereo = noiseOf("stereo");
+  stereo.scale = stereo.disparity_step = stereo.waves = 0.0;
+  stereo.footprint = 1;
+  stereo.max_incidence_deg = 90.0;
+  std::vector<float> depth = step(0.8f, 1.6f);
+  addNoise(stereo, kCamera, 3, 0, depth);
+  int missing = 0;
+  for (int column = 0; column < kCamera.width; ++column) missing += std::isnan(at(depth, column)) ? 1 : 0;
+  EXPECT_NEAR(missing, kCamera.fx * 0.05 * (1.0 / 0.8 - 1.0 / 1.6), 2.0);
+  NoiseParams flight = noiseOf("time_of_flight");
+  flight.scale = 0.0;
+  std::vector<float> wall = step(1.0f, 1.0f);
+  addNoise(flight, kCamera, 3, 0, wall);
+  EXPECT_NEAR(deviation(wall, 1.0), 0.0015, 1e-5);
 }
 
 TEST(Sensors, AllHaveNoiseThatIsAllowed) {
