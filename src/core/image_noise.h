@@ -13,6 +13,7 @@ struct ImageNoise {
   /// How far points stray from surfaces, in standard deviations of axialNoise(), up to about five; six at most. 0: not
   /// measured.
   double scale = 0.0;
+  double farther = 1.0;   ///< the same of the farther half of the image over that of the nearer half
   double likeness = 0.0;  ///< correlation of the errors of pixels two apart; 0: not measured
 };
 
@@ -25,5 +26,9 @@ ImageNoise measureImageNoise(const Cloud& image, NormalSource& source, const Sam
 /// pixels two apart have a correlation of .35 to .45 in recordings (.48 in one): 1 up to there, 4 at .50, at most 7. Of
 /// a recorded stereo camera it is .66; of three times the noise in simulated grains of 5, 7, 9 px .50, .57, .60.
 double grainOf(const ImageNoise& noise);
+
+/// How many times faster than that of structured light the noise of a stereo camera grows, for tolerances: up to 1.8
+/// where pixels share their noise, which hides some of it, and the farther half of the image is the noisier one.
+double growthOf(const ImageNoise& noise);
 
 }  // namespace primitect

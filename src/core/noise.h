@@ -12,20 +12,23 @@ namespace primitect {
 /// Axial noise of structured-light cameras (m, one standard deviation) at depth z (Nguyen et al., 3DIMPVT 2012): the
 /// least, at the nearest depth they measure, and its growth.
 constexpr double kAxialLeast = 0.0012, kAxialNearest = 0.4, kAxialGrowth = 0.0019;
-inline double axialNoise(double z) { return kAxialLeast + kAxialGrowth * (z - kAxialNearest) * (z - kAxialNearest); }
+inline double axialNoise(double z, double growth = 1.0) {
+  return kAxialLeast + growth * kAxialGrowth * (z - kAxialNearest) * (z - kAxialNearest);
+}
 
 struct NoiseModel {
   double distance = 0.0;     ///< m, one standard deviation of the distance to the surface, the same everywhere
   double depth_share = 0.0;  ///< above 0: a depth camera; then its axial noise, but at least this share of z
   double angle = 0.5;        ///< rad, a normal that is off by more is hardly noise, unless more of it is known
   double scale = 1.0;        ///< times the axial noise: of a depth camera that is noisier than structured light
+  double growth = 1.0;       ///< times its growth with the depth
 
   bool ofDepthCamera() const { return depth_share > 0.0; }
 
   /// One standard deviation (m) at this point.
   double at(const Vec3& point) const {
     if (!ofDepthCamera()) return distance;
-    return std::max(scale * axialNoise(point.z()), depth_share * point.z());
+    return std::max(scale * axialNoise(point.z(), growth), depth_share * point.z());
   }
 };
 

@@ -17,6 +17,7 @@ NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
   constexpr double kLargestNoise = 0.005;  // of d_s: with more of it nothing can be told any more
   NoiseModel noise = {kLargestNoise * scale.scene_diameter, 0.0, params.inlier_angle_deg * M_PI / 180.0,
                       toleratedScale(scale.image_noise)};
+  noise.growth = scale.image_growth;
   if (scale.depth_camera) noise.depth_share = params.inlier_depth_share / kInlierDeviations;
   return noise;
 }

@@ -200,15 +200,18 @@ void Detector::Workspace::measureScale() {
   // deg are in view: about as little as its curvature needs to be clear (curvature.cpp).
   constexpr double kOfView = 1.5;
   const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
-  verification.begin({result.scene_diameter, depth_camera, result.image_noise, stretch, view_radius, !brings_normals});
+  verification.begin(
+      {result.scene_diameter, depth_camera, result.image_noise, image_growth, stretch, view_radius, !brings_normals});
 }
 
 void Detector::Workspace::measureImageNoise(const Cloud& image) {
+  image_growth = 1.0;
   if (!depth_camera || !isDepthImage(image)) return;
   const ImageNoise noise = primitect::measureImageNoise(image, normal_source, samples);
   result.image_noise = noise.scale;
   normal_source.noise_scale = toleratedScale(noise.scale);
   normal_source.grain = grainOf(noise);
+  image_growth = growthOf(noise);
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {

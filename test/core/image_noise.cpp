@@ -15,6 +15,7 @@
 #include "core/window_normal.h"
 #include "primitect/detector.h"
 #include "synthetic/clutter.h"
+#include "synthetic/sensors.h"
 #include "test/support/rendered_cloud.h"
 
 namespace primitect {
@@ -60,6 +61,29 @@ TEST(ImageNoise, IsAlikeInGrains) {
     EXPECT_GT(grainOf(noiseIn(tableCloud(3.0, seed, 7))), 4.0);
   }
   EXPECT_EQ(grainOf(ImageNoise()), 1.0) << "not measured";
+}
+
+TEST(ImageNoise, OfAStereoCameraGrowsFaster) {
+  synthetic::FrameParams stereo;
+  stereo.noise = synthetic::noiseOf("stereo");
+  synthetic::World world;
+  const Eigen::Isometry3d table = test::tableBeforeCamera(0.8, 30.0 * M_PI / 180.0);
+  world.add("table", synthetic::Sheet{1.0, 0.4}, table);
+  world.add("wall", synthetic::Sheet{4.0, 4.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 1.8)));
+  const ImageNoise seen = noiseIn(test::renderedCloud(world, stereo, 3));
+  EXPECT_GT(seen.farther, 1.4);
+  EXPECT_GT(growthOf(seen), 1.4);
+  for (const int grain : {1, 7}) {
+    const ImageNoise usual = noiseIn(test::renderedCloud(world, noisy(2.0, grain), 3));
+    EXPECT_NEAR(usual.farther, 1.0, 0.15) << grain;
+    EXPECT_EQ(growthOf(usual), 1.0) << grain;
+  }
+  NoiseModel noise;
+  noise.depth_share = 0.002;
+  const double before = noise.at(Vec3(0.0, 0.0, 1.8));
+  noise.growth = 1.8;
+  EXPECT_NEAR(noise.at(Vec3(0.0, 0.0, 1.8)) - before, 0.8 * kAxialGrowth * 1.4 * 1.4, 1e-9);
+  EXPECT_EQ(PointNoise(noise)(Vec3(0.0, 0.0, 1.8)), noise.at(Vec3(0.0, 0.0, 1.8)));
 }
 
 /// Too few pixels there have neighbours that tell whether they err alike.
