@@ -13,11 +13,10 @@
 #include "core/window_normal.h"
 
 namespace primitect {
-
 namespace {
 
 /// How many times as noisy, in standard deviations of axialNoise(), the farther half of some places (depth, noise) is
-/// as the nearer one; 1 where they are few or lie about as far away.
+/// as the nearer one; 1 where they are few, lie about as far away or have no noise.
 double fartherOverNearer(List<std::pair<double, double>>& places) {
   constexpr std::size_t kFewest = 24;
   constexpr double kApart = 1.25;
@@ -27,7 +26,8 @@ double fartherOverNearer(List<std::pair<double, double>>& places) {
   if (!(places[(middle + places.size()) / 2].first > kApart * places[middle / 2].first)) return 1.0;
   List<double> near, far;
   for (std::size_t k = 0; k < places.size(); ++k) (k < middle ? near : far).push_back(places[k].second);
-  return lowerQuartile(far) / lowerQuartile(near);
+  const double least = lowerQuartile(near);
+  return least > 0.0 ? lowerQuartile(far) / least : 1.0;
 }
 
 }  // namespace

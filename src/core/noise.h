@@ -10,7 +10,7 @@
 namespace primitect {
 
 /// Axial noise of structured-light cameras (m, one standard deviation) at depth z (Nguyen et al., 3DIMPVT 2012): the
-/// least, at the nearest depth they measure, and its growth.
+/// least, at the nearest depth they measure, and its growth; others' may grow so many times as fast.
 constexpr double kAxialLeast = 0.0012, kAxialNearest = 0.4, kAxialGrowth = 0.0019;
 inline double axialNoise(double z, double growth = 1.0) {
   return kAxialLeast + growth * kAxialGrowth * (z - kAxialNearest) * (z - kAxialNearest);

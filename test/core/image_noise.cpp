@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/noise.h"
 #include "core/point_noise.h"
@@ -84,6 +86,18 @@ TEST(ImageNoise, OfAStereoCameraGrowsFaster) {
   noise.growth = 1.8;
   EXPECT_NEAR(noise.at(Vec3(0.0, 0.0, 1.8)) - before, 0.8 * kAxialGrowth * 1.4 * 1.4, 1e-9);
   EXPECT_EQ(PointNoise(noise)(Vec3(0.0, 0.0, 1.8)), noise.at(Vec3(0.0, 0.0, 1.8)));
+}
+
+/// Of two walls that face the camera every depth is exact.
+TEST(ImageNoise, OfExactDepthsGrowsAsUsual) {
+  const synthetic::PinholeCamera camera;
+  std::vector<float> depth(camera.pixelCount(), 1.5f);
+  std::fill_n(depth.begin(), depth.size() / 2, 1.0f);
+  Cloud cloud;
+  cloudFromDepth(depth, camera, DepthRange(), cloud);
+  EXPECT_EQ(growthOf(noiseIn(cloud)), 1.0);
+  Detector detector{Params()};
+  EXPECT_EQ(detector.detect(cloud).items.size(), 2u);
 }
 
 /// Too few pixels there have neighbours that tell whether they err alike.
