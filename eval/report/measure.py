@@ -38,6 +38,7 @@ def command_of(program, call):
 def task_text(call):
     """"paper-mixed, seed 1000, outliers 0.3": only what is not as usual."""
     usual = Recipe(call.recipe.set)
+
     def said(value):
         return value if isinstance(value, str) else "%g" % value
 

@@ -265,7 +265,7 @@ TEST(Recipe, OfADepthFrameSaysWhichSensorTookIt) {
     both += 1.0;
     same += stereo.scored.z[i] == usual.scored.z[i] && stereo.cloud.z[i] != usual.cloud.z[i] ? 1.0 : 0.0;
   }
-  EXPECT_GT(beside, 0.005 * both) << "shadows";
+  EXPECT_GT(beside, 0.005 * both) << "what only structured light sees";
   EXPECT_GT(same, 0.9 * both) << "the same things, measured otherwise";
   recipe.sensor = "structured_light";
   recipe.blots = 0.2;

@@ -15,19 +15,29 @@
 namespace primitect {
 namespace {
 
-/// How many times as noisy, in standard deviations of axialNoise(), the farther half of some places (depth, noise) is
-/// as the nearer one; 1 where they are few, lie about as far away or have no noise.
-double fartherOverNearer(List<std::pair<double, double>>& places) {
+constexpr double kMostGrain = 7.0;  // px
+
+/// Depth, and noise there in standard deviations of axialNoise().
+using Places = List<std::pair<double, double>>;
+
+/// Of the places [begin, end): many hold edges and what is rough.
+double noiseOf(const Places& places, std::size_t begin, std::size_t end) {
+  List<double> noise;
+  for (std::size_t k = begin; k < end; ++k) noise.push_back(places[k].second);
+  return lowerQuartile(noise);
+}
+
+/// How many times as noisy the farther half is as the nearer one; 1 where the places are few, lie about as far away or
+/// have no noise.
+double fartherOverNearer(Places& places) {
   constexpr std::size_t kFewest = 24;
   constexpr double kApart = 1.25;
   if (places.size() < kFewest) return 1.0;
   std::sort(places.begin(), places.end());
   const std::size_t middle = places.size() / 2;
   if (!(places[(middle + places.size()) / 2].first > kApart * places[middle / 2].first)) return 1.0;
-  List<double> near, far;
-  for (std::size_t k = 0; k < places.size(); ++k) (k < middle ? near : far).push_back(places[k].second);
-  const double least = lowerQuartile(near);
-  return least > 0.0 ? lowerQuartile(far) / least : 1.0;
+  const double near = noiseOf(places, 0, middle);
+  return near > 0.0 ? noiseOf(places, middle, places.size()) / near : 1.0;
 }
 
 }  // namespace
@@ -40,32 +50,29 @@ ImageNoise measureImageNoise(const Cloud& image, NormalSource& source, const Sam
   const double share = shareOfUsualWindows(raysOf(image, source));
   const int half_width = std::max(static_cast<int>(std::lround(kUsualHalfWidth * share)), kSmallest);
   const PixelPitch& pitch = pixelPitch(image, source);
-  List<double> deviations, likenesses;
-  List<std::pair<double, double>> places;
+  List<double> likenesses;
+  Places places;
   for (std::size_t i = 0; i < samples.size(); i += samples.size() / kWindows + 1) {
     const auto noise = windowNoise(image, samples.index[i], half_width, pitch);
-    if (noise) {
-      deviations.push_back(noise->deviation);
-      places.emplace_back(static_cast<double>(samples.z[i]), noise->deviation);
-    }
+    if (noise) places.emplace_back(static_cast<double>(samples.z[i]), noise->deviation);
     const bool usual = half_width == kUsualHalfWidth;
     const auto wide = usual ? noise : windowNoise(image, samples.index[i], kUsualHalfWidth, pitch);
     if (wide && wide->likeness) likenesses.push_back(*wide->likeness);
   }
   ImageNoise result;
   result.farther = fartherOverNearer(places);
-  if (deviations.size() >= kFewest) result.scale = lowerQuartile(deviations);
+  if (places.size() >= kFewest) result.scale = noiseOf(places, 0, places.size());
   if (likenesses.size() >= kFewest) result.likeness = median(likenesses);
   return result;
 }
 
 double grainOf(const ImageNoise& noise) {
-  constexpr double kUsual = 0.45, kPerPixel = 1.0 / 60.0, kMost = 7.0;
-  return std::clamp(1.0 + (noise.likeness - kUsual) / kPerPixel, 1.0, kMost);
+  constexpr double kUsual = 0.45, kPerPixel = 1.0 / 60.0;
+  return std::clamp(1.0 + (noise.likeness - kUsual) / kPerPixel, 1.0, kMostGrain);
 }
 
 double growthOf(const ImageNoise& noise) {
-  constexpr double kMost = 0.8, kMostGrain = 7.0;
+  constexpr double kMost = 0.8;
   constexpr double kAsUsual = 1.2, kClearly = 1.5;  // of noise in grains that grows as structured light's: 1.1
   return 1.0 + kMost * (grainOf(noise) - 1.0) / (kMostGrain - 1.0) * ramp(kAsUsual, kClearly, noise.farther);
 }

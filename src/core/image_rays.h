@@ -38,4 +38,8 @@ PixelPitch pitchOf(const ImageRays& rays);
 /// it; where these were moved to frames on the floor below, up to 94 %.
 ImageRays findRays(const Cloud& cloud);
 
+/// Windows of an image that is coarser than those of usual cameras, 640 pixels wide, shrink with it: what is 10 cm wide
+/// has fewer pixels there. Their width as a share of the usual one, at most 1.
+double shareOfUsualWindows(const ImageRays& rays);
+
 }  // namespace primitect

@@ -147,13 +147,6 @@ bool isDepthImage(const Cloud& cloud) {
   return cloud.organized() && cloud.behind_count == 0;
 }
 
-double shareOfUsualWindows(const ImageRays& rays) {
-  constexpr double kUsualFocalLength = 525.0;  // px
-  if (!rays.known) return 1.0;
-  // Of an image of which only every fourth row was kept the two differ.
-  return std::min(1.0, 1.0 / (kUsualFocalLength * std::sqrt(std::abs(rays.x_scale * rays.y_scale))));
-}
-
 int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, double wanted, NormalSource& source) {
   constexpr std::size_t kLookedAt = 64;
   constexpr int kNearest = 11;

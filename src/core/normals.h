@@ -37,10 +37,6 @@ const PixelPitch& pixelPitch(const Cloud& image, NormalSource& source);
 /// The cloud is the image of a depth camera at the origin.
 bool isDepthImage(const Cloud& cloud);
 
-/// Windows of an image that is coarser than those of usual cameras, 640 pixels wide, shrink with it: what is 10 cm wide
-/// has fewer pixels there. Their width as a share of the usual one, at most 1.
-double shareOfUsualWindows(const ImageRays& rays);
-
 /// How many neighbours make a normal this good (rad, about each axis) of points with this noise (m): the slope of a
 /// plane through k points, evenly spread around at this mean distance d of neighbours, has the deviation 2 sqrt(pi)
 /// sigma / (k d).

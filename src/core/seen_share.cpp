@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 
-#include "core/normals.h"
 #include "core/observed_part.h"
 #include "core/ramp.h"
 #include "core/ray_depth.h"
@@ -84,7 +83,7 @@ class Looking {
   }
 
   /// Clearly, as noise alone seldom takes a point so far off; with 4 deviations a calibration board whose dark squares
-  /// are missing carries twice as many cones.
+  /// are missing carries more than twice as many cones.
   bool showsSurface(int column, int row) const {
     constexpr double kClearly = 1.5;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
@@ -177,8 +176,7 @@ struct Count {
   double surface = 0.0, behind = 0.0, other = 0.0;
 
   void add(Sight sight) {
-    // With a third of its surface missing a can keeps all of its confidence; the squares of a calibration board, of
-    // which half is missing, are none.
+    // With a fifth of its surface missing a can keeps all of its confidence, with a half nearly none.
     constexpr double kBlot = 0.25;
     surface += sight == Sight::surface ? 1.0 : 0.0;
     behind += sight == Sight::behind ? 1.0 : 0.0;

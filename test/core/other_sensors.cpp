@@ -43,7 +43,7 @@ struct BallBeforeWall {
   }
 };
 
-/// All around a ball they lie on the cone that its outline and the camera make: each of these frames has one if they
+/// All around a ball they lie on the cone that its outline and the camera make: five of these frames have some if they
 /// are taken for samples.
 TEST(OtherSensors, FlyingPixelsAroundABallAreNoCone) {
   for (const BallBeforeWall& scene :
@@ -86,7 +86,7 @@ class SteepWall {
     const Vec3 point = cloud_.point(kPixel);
     // Across the slope it is level; along it another place of it.
     const Vec3 level(-down_, right_, 0.0);
-    const Vec3 along = Vec3(right_, down_, 0.0) * (0.5 / camera_.fx) * 1.0 + Vec3::UnitZ() * (depthAt(0.5) - 1.0);
+    const Vec3 along = Vec3(right_, down_, 0.0) * (0.5 / camera_.fx) + Vec3::UnitZ() * (depthAt(0.5) - 1.0);
     const Vec3 normal = level.cross(along).normalized();
     return fliesBetween({cloud_, rays, noise_scale, 1.0}, kPixel, point, normal);
   }
@@ -136,10 +136,10 @@ TEST(OtherSensors, CansWithBlotsAreFound) {
       return can && std::abs(can->radius - kRadius) < 0.003;
     });
   }
-  EXPECT_EQ(found, 12) << "2 where every blot speaks against a can";
+  EXPECT_EQ(found, 12) << "9 where every blot speaks against a can";
 }
 
-/// Noise that 7 x 7 pixels share turns normals there by 20 deg and more.
+/// Noise that 7 x 7 pixels share turns normals there by 15 deg and more (test_image_noise).
 TEST(OtherSensors, AStereoCameraSeesTheWallBehindTheTable) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
