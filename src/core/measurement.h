@@ -56,6 +56,7 @@ class Measurement {
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
   PointsChoice start(const Detection& found);
+  void gatherClear(const List<std::uint32_t>& clear, const Detection& found);
   Shape fittedToClear(const Shape& start);
   Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);

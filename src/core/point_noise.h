@@ -19,7 +19,8 @@ inline kernels::FlatTolerance flattened(const NoiseModel& noise, double deviatio
   const auto scaled = [deviations](double value) { return static_cast<float>(deviations * value); };
   const auto nearest = static_cast<float>(kAxialNearest);
   if (!noise.ofDepthCamera()) return {scaled(noise.distance), 0.0f, nearest, 0.0f};
-  return {scaled(noise.scale * kAxialLeast), scaled(noise.scale * noise.growth * kAxialGrowth), nearest, scaled(noise.depth_share)};
+  return {scaled(noise.scale * kAxialLeast), scaled(noise.scale * noise.growth * kAxialGrowth), nearest,
+          scaled(noise.depth_share)};
 }
 
 /// One standard deviation (m) of the distance to a surface: by a noise model, or any function of the point.

@@ -83,6 +83,16 @@ bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, do
   return step.dot(right) <= share * share * equations.weight;
 }
 
+/// Two steps in a row ended at the sharpest cone that there is: more of them lead nowhere else.
+template <class T>
+bool isStuck(const T&, const T&) {
+  return false;
+}
+template <>
+bool isStuck(const Cone& before, const Cone& after) {
+  return before.half_angle == kSharpest && after.half_angle == kSharpest;
+}
+
 /// pointsFor(shape): what a step from this shape is made of.
 template <class T, class PointsFor>
 std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules,
@@ -93,9 +103,11 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
     kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
                                      pointsFor(shape), scale, equations);
     const Gradient step = lengthOf(equations) * solve<kParameters<T>>(equations);
-    shape = steppedBeside(points.middle(), shape, step);
-    if (!usable(shape)) return std::nullopt;
-    if (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step)) break;
+    const T stepped = steppedBeside(points.middle(), shape, step);
+    if (!usable(stepped)) return std::nullopt;
+    const bool stuck = isStuck(shape, stepped);
+    shape = stepped;
+    if (stuck || (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step))) break;
   }
   return shape;
 }

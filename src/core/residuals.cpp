@@ -84,14 +84,13 @@ Circle circleBeside(const Vec3& beside, const Cone& cone) {
 }
 
 Cone steppedBeside(const Vec3& beside, const Cone& cone, const Gradient& step) {
-  constexpr double kLeast = 0.02;  // rad: the apex is fifty radii away, and a cylinder as good
   const Turn turn(cone.axis);
   const Circle circle = circleBeside(beside, cone);
   const Vec3 middle = circle.middle + step[0] * turn.first + step[1] * turn.second;
   const double radius = circle.radius + step[4], angle = cone.half_angle + step[5];
   Vec3 axis = turn.turned(cone.axis, step[2], step[3]);
   if (angle < 0.0) axis = -axis;
-  const double half_angle = std::max(std::abs(angle), kLeast);
+  const double half_angle = std::max(std::abs(angle), kSharpest);
   return {middle - radius / std::tan(half_angle) * axis, axis, radius > 0.0 ? half_angle : -half_angle};
 }
 

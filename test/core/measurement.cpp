@@ -8,9 +8,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
+#include "core/axis_extent.h"
 #include "core/extent.h"
 #include "primitect/detector.h"
 #include "test/support/hypotheses.h"
@@ -336,6 +338,80 @@ TEST(Measurement, KeepsTheShapeWhenItsClearPointsAreElsewhere) {
       .measure({own, {}, 1000}, clear, allOf(clear), kept);
   EXPECT_LT((std::get<Sphere>(kept.shape).center - kBall.center).norm(), 0.001);
   EXPECT_LT(kept.rms_error, 2.0 * kNoise);
+}
+
+/// Others of its points may be of another surface, which the better fit is far from.
+TEST(Measurement, FollowsItsClearPointsAwayFromAFewOthers) {
+  Random random(48);
+  const Sphere ball = {Vec3(0, 0, 1), 0.08}, larger = {ball.center + Vec3(0, 0, 0.02), 0.1};  // they touch at the front
+  std::vector<test::SurfacePoint> points;
+  const auto add = [&](const Sphere& of, std::size_t count, double least, double most) {
+    while (count > 0) {
+      const test::SurfacePoint p = patchOf(of, 1, random).front();
+      const double turn = std::acos(-p.normal.z());
+      if (turn < least || turn > most) continue;
+      points.push_back(p), --count;
+    }
+  };
+  add(ball, 1000, 0.0, 0.4);
+  add(larger, 60, 1.2, 1.5);
+  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
+  List<std::uint32_t> own(1060), clear(1000);
+  std::iota(own.begin(), own.end(), 0u);
+  std::iota(clear.begin(), clear.end(), 0u);
+  const Params params;
+  Detection detection;
+  detection.shape = larger;
+  Measurement(cloud, findRays(cloud), params, {kNoiseModel, kNoiseModel}, {params, 1.0})
+      .measure({own, {}, 1060}, clear, allOf(clear), detection);
+  const double deviation = detection.radius_stddev;
+  EXPECT_LT(deviation, 0.005);
+  EXPECT_NEAR(std::get<Sphere>(detection.shape).radius, ball.radius, 3.0 * deviation);
+}
+
+/// A cone that touches another one along the line where its points are, as round there, but narrower: hard to tell
+/// apart.
+Cone narrowedTo(double half_angle, const Cone& cone, double height) {
+  const test::SurfacePoint seen = test::pointOn(cone, height, 0.0);
+  const Vec3 along = (seen.point - cone.apex).normalized();
+  const double radius = (seen.point - cone.apex).norm() * std::tan(cone.half_angle);
+  const Vec3 axis = std::cos(half_angle) * along - std::sin(half_angle) * seen.normal;
+  return {seen.point - radius / std::tan(half_angle) * along, axis, half_angle};
+}
+
+/// A narrower cone that was found on some points of a cone, far from its apex, and on one point near its own: by how
+/// many of its deviations the measured half angle is off.
+double errorWithALonePointAtTheTip(std::uint64_t seed) {
+  const Cone cone = {Vec3(0, -0.2, 1), Vec3(0, 1, 0), 0.3};
+  const Cone narrower = narrowedTo(0.27, cone, 0.155);
+  Random random(seed);
+  std::vector<test::SurfacePoint> points;
+  for (int k = 0; k < 500; ++k) {
+    const double height = random.uniform(0.11, 0.2), angle = random.uniform(-1.0, 1.0);
+    points.push_back(test::pointOn(cone, height, angle));
+  }
+  points.push_back(test::pointOn(narrower, 0.02, random.uniform(0.0, 2.0 * M_PI)));
+  const Cloud cloud = test::cloudOf(measured(points, kNoise, 0.05, random));
+  List<std::uint32_t> all(cloud.size());
+  std::iota(all.begin(), all.end(), 0u);
+  SeenPoints seen;
+  seen.gather(cloud, all);
+  Detection found;
+  found.shape = narrower;
+  found.extent = measureExtent(narrower, seen);
+  moveEnds(-found.extent.radius_small / std::tan(narrower.half_angle), 0.0, narrower, found.extent);
+  const Detection detection = measuredOn(cloud, kNoiseModel, found);
+  return (std::get<Cone>(detection.shape).half_angle - cone.half_angle) / detection.half_angle_stddev;
+}
+
+TEST(Measurement, DoesNotBelieveALonePointAtTheTipOfACone) {
+  constexpr int kSeeds = 20;
+  double sum = 0.0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const double error = errorWithALonePointAtTheTip(static_cast<std::uint64_t>(seed));
+    sum += error * error;
+  }
+  EXPECT_LT(sum / kSeeds, 2.0) << "1.2; 21 with that point";
 }
 
 }  // namespace
