@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/axis_extent.h"
 #include "core/far_sides.h"
 #include "core/flat.h"
 #include "core/float_range.h"
@@ -107,6 +108,17 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
   }
 }
 
+/// Where points of a list may be of this shape. Samples are too few to see where its axis ends, least of all where they
+/// are sparse, and what lies on it beyond would turn others.
+ObservedPart possiblePart(const Detection& detection) {
+  constexpr double kLonger = 1.5;
+  if (!hasAxis(kindOf(detection.shape))) return {detection.shape, detection.extent};
+  Extent extent;  // which has no outline to copy
+  extent.origin = detection.extent.origin, extent.rotation = detection.extent.rotation;
+  extent.size = Vec3(0, 0, kLonger * detection.extent.size.z());
+  return {detection.shape, extent};
+}
+
 }  // namespace
 
 bool enoughClear(std::size_t clear, std::size_t all) {
@@ -129,7 +141,7 @@ ClearPoints::ClearPoints(const Cloud& cloud, const CloudNormals& normals, const 
     if (!kept.empty() && !kept[k]) continue;
     others_.push_back(k);
     shapes_.push_back(flattened(detections[k].shape, Vec3::Zero()));
-    parts_.emplace_back(detections[k].shape, detections[k].extent);
+    parts_.push_back(possiblePart(detections[k]));
   }
 }
 

@@ -43,7 +43,8 @@ class ClearPoints {
   ///                        reaches, and not on the rim of a wall whose inside is seen, too; nor where the surface is
   ///                        so near the cut that only points which noise moved away from it are left
   ///   any other cloud      whose place on the surface is far from all other detections, beyond the noise,
-  ///                        and whose own normal, if it has one, is about the surface's
+  ///                        and from where their axes may go on, and whose own normal, if it has one, is about the
+  ///                        surface's
   /// all of them where too few would be left.
   List<std::uint32_t> of(std::size_t detection, const List<std::uint32_t>& points) const;
 

@@ -144,6 +144,34 @@ TEST(ClearPoints, OfUnorderedPointsAreBeyondTheNoiseOfOtherShapes) {
   EXPECT_GT(left_out, 20);
 }
 
+TEST(ClearPoints, OfUnorderedPointsAreNotWhereAnAxisMayGoOn) {
+  Random random(4);
+  const Cylinder tube = {Vec3(0, 0, 0.95), Vec3(1, 0, 0), 0.05};  // lies on the floor
+  constexpr double kReach = 0.1;                                  // m, of the part that was seen, either way
+  const auto floor = test::patchOf(kFloor, 4000, 0.2, random);
+  const std::vector<Detection> detections = {seen(kFloor, floor),
+                                             seen(tube, test::patchOf(tube, 2000, -kReach, kReach, random))};
+  const Cloud cloud = test::cloudOf(floor);
+  const std::vector<std::uint32_t> labels(floor.size(), 1);
+  const List<std::uint32_t> clear =
+      ClearPoints(cloud, {}, detections, {}, labels, {}, kModel).of(0, upTo(floor.size()));
+  int beyond_what_was_seen = 0, far_beyond = 0;
+  for (std::uint32_t i = 0; i < floor.size(); ++i) {
+    if (distance(tube, floor[i].point) > 3.0 * kSigma) continue;
+    const double along = std::abs(floor[i].point.x());
+    beyond_what_was_seen += along > 1.1 * kReach && along < 1.4 * kReach ? 1 : 0;
+    far_beyond += along > 1.6 * kReach ? 1 : 0;
+    if (along < 1.4 * kReach) {
+      EXPECT_FALSE(contains(clear, i)) << along;
+    }
+    if (along > 1.6 * kReach) {
+      EXPECT_TRUE(contains(clear, i)) << along;
+    }
+  }
+  EXPECT_GT(beyond_what_was_seen, 20);
+  EXPECT_GT(far_beyond, 20);
+}
+
 TEST(ClearPoints, AreNotKeptApartFromWhatIsNotKept) {
   const BallOnFloor scene;
   List<std::uint32_t> of_ball = upTo(BallOnFloor::kCount);
