@@ -20,7 +20,7 @@ struct Part {
 
 /// What is left of the pieces: from the first part that is large enough to the last one.
 Part withoutFarEnds(const std::array<std::size_t, kPieces>& counts, std::size_t all) {
-  constexpr std::size_t kHardlyAny = 16;  // one in so many of what a piece holds in the mean
+  constexpr std::size_t kHardlyAny = 32;  // one in so many of what a piece holds in the mean: strays in a gap
   constexpr std::size_t kFew = 8;         // one in so many of what the largest part holds
   std::array<Part, kPieces> parts;
   std::size_t found = 0, since = kGap;  // pieces since the last one that holds more than hardly any
@@ -29,7 +29,7 @@ Part withoutFarEnds(const std::array<std::size_t, kPieces>& counts, std::size_t 
       ++since;
       continue;
     }
-    if (found == 0 || since >= kGap) parts[found++].begin = piece;
+    if (since >= kGap) parts[found++].begin = piece;
     Part& part = parts[found - 1];
     part.end = piece + 1, part.points += counts[piece];
     since = 0;
@@ -52,23 +52,25 @@ Part withoutFarEnds(const std::array<std::size_t, kPieces>& counts, std::size_t 
 
 SeenPoints withoutFarEnds(const Vec3& axis, SeenPoints points) {
   constexpr std::size_t kFewestPoints = 64;
-  const std::size_t count = points.size();
-  if (count < kFewestPoints) return points;
-  List<float> heights(count);
-  heightsAlong(axis, points.x.data(), points.y.data(), points.z.data(), count, heights.data());
-  const EqualPieces pieces(FloatRange(heights.data(), count), kPieces);
-  if (!(pieces.length > 0.0f)) return points;
-  std::array<std::size_t, kPieces> counts = {};
-  for (const float height : heights) ++counts[pieces.at(height)];
-  const Part left = withoutFarEnds(counts, count);
-  if (left.begin == 0 && left.end == kPieces) return points;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
-    const std::size_t piece = pieces.at(heights[k]);
-    kept += piece >= left.begin && piece < left.end ? 1 : 0;
+  constexpr int kTimes = 3;  // a farther stray makes pieces too long to tell nearer ones
+  for (int time = 0; time < kTimes && points.size() >= kFewestPoints; ++time) {
+    const std::size_t count = points.size();
+    List<float> heights(count);
+    heightsAlong(axis, points.x.data(), points.y.data(), points.z.data(), count, heights.data());
+    const EqualPieces pieces(FloatRange(heights.data(), count), kPieces);
+    if (!(pieces.length > 0.0f)) break;
+    std::array<std::size_t, kPieces> counts = {};
+    for (const float height : heights) ++counts[pieces.at(height)];
+    const Part left = withoutFarEnds(counts, count);
+    if (left.begin == 0 && left.end == kPieces) break;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
+      const std::size_t piece = pieces.at(heights[k]);
+      kept += piece >= left.begin && piece < left.end ? 1 : 0;
+    }
+    for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
   }
-  for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
   return points;
 }
 

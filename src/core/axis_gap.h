@@ -8,9 +8,10 @@
 
 namespace primitect {
 
-/// Where another surface meets the one that goes on unseen along its axis, points of the other are as good as its own.
-/// The points without those at either end that are few, less than an eighth of what is left, and apart by a third of
-/// the length in which there are hardly any (of pieces of a sixteenth, four). All of fewer than 64.
+/// Where a surface that goes on unseen along its axis meets another one, points of that are as good as its own. The
+/// finite points without those at either end that are few, less than an eighth of the largest part, and lie beyond four
+/// sixteenths of the length in a row that hold hardly any, as a gap of a quarter of the length may, and one of a third
+/// always does. All of fewer than 64.
 SeenPoints withoutFarEnds(const Vec3& axis, SeenPoints points);
 
 }  // namespace primitect

@@ -108,8 +108,8 @@ void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Pla
   }
 }
 
-/// Where points of a list may be of this shape. Samples are too few to see where its axis ends, least of all where they
-/// are sparse, and what lies on it beyond would turn others.
+/// The part where points of a list may be of this shape: as observed, but longer. Samples are too few to see where its
+/// axis ends, least of all where they are sparse, and what lies on it beyond would turn others.
 ObservedPart possiblePart(const Detection& detection) {
   constexpr double kLonger = 1.5;
   if (!hasAxis(kindOf(detection.shape))) return {detection.shape, detection.extent};

@@ -58,7 +58,8 @@ SeenPoints within(const ObservedPart& part, const SeenPoints& points, const Nois
   return seen;
 }
 
-/// How far points are off a shape: the mean of squared distances in tolerances, none of which counts as more than one.
+/// How far some of at least one point are off a shape: the mean of squared distances in three deviations of the noise,
+/// none of which counts as more than one.
 double misfitOf(const Shape& shape, const SeenPoints& seen, const PointNoise& sigma) {
   constexpr std::size_t kEnough = 509;
   const SomePoints<kEnough> points(seen);
@@ -119,8 +120,8 @@ void Measurement::gatherClear(const List<std::uint32_t>& clear, const Detection&
   clear_.gather(cloud_, clear);
   if (!hasAxis(kindOf(found.shape)) || noise_.ofDepthCamera()) return;
   SeenPoints seen = within(ObservedPart(found.shape, found.extent), clear_, tolerated_);
-  if (!enoughClear(seen.size(), clear_.size())) return;
-  clear_ = withoutFarEnds(found.extent.rotation.col(2), std::move(seen));
+  if (enoughClear(seen.size(), clear_.size())) clear_ = std::move(seen);
+  clear_ = withoutFarEnds(found.extent.rotation.col(2), std::move(clear_));
 }
 
 Shape Measurement::fittedToClear(const Shape& start) {
@@ -130,10 +131,11 @@ Shape Measurement::fittedToClear(const Shape& start) {
       refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across);
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
   const Shape last = along_rays ? fit : unbiased(fit);
-  // A few clear points may not hold a shape where all of its points are. But some of these may be of other surfaces:
-  // however far the better fit is from them, it is no worse by that.
-  constexpr double kWorse = 2.25;
-  return misfitOf(last, points_, sigma_) <= kWorse * misfitOf(start, points_, sigma_) ? last : start;
+  // A few clear points may not hold a shape where all of its points are. But some of these may be of other surfaces,
+  // and where those are is no matter, as long as most are held.
+  constexpr double kWorse = 2.25, kMost = 0.4;
+  const double before = misfitOf(start, points_, sigma_);
+  return misfitOf(last, points_, sigma_) <= std::max(before, std::min(kWorse * before, kMost)) ? last : start;
 }
 
 /// Of a fit to the clear points.
@@ -155,7 +157,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
     const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
     if (time == 0) fit.most_trust = trustInSizeOf(fit.shape);
-    gatherClear(rest, found);
+    clear_.gather(cloud_, rest);
     fit.shape = fittedToClear(from.shape);
   }
   return fit;

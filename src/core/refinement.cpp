@@ -83,31 +83,32 @@ bool isSmall(const Gradient& step, const kernels::NormalEquations& equations, do
   return step.dot(right) <= share * share * equations.weight;
 }
 
-/// Two steps in a row ended at the sharpest cone that there is: more of them lead nowhere else.
+/// A step ended at the sharpest cone that there is.
+bool isSharpest(const Cone& cone) { return cone.half_angle == kLeastHalfAngle; }
 template <class T>
-bool isStuck(const T&, const T&) {
+bool isSharpest(const T&) {
   return false;
-}
-template <>
-bool isStuck(const Cone& before, const Cone& after) {
-  return before.half_angle == kSharpest && after.half_angle == kSharpest;
 }
 
 /// pointsFor(shape): what a step from this shape is made of.
 template <class T, class PointsFor>
 std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRules& rules,
                                 const PointsFor& pointsFor) {
+  constexpr int kEnoughSharpest = 3;
   kernels::NormalEquations equations = {};
+  int sharpest = 0;  // steps in a row
   for (int iteration = 0; iteration < rules.most_steps; ++iteration) {
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
                                      pointsFor(shape), scale, equations);
     const Gradient step = lengthOf(equations) * solve<kParameters<T>>(equations);
-    const T stepped = steppedBeside(points.middle(), shape, step);
-    if (!usable(stepped)) return std::nullopt;
-    const bool stuck = isStuck(shape, stepped);
-    shape = stepped;
-    if (stuck || (iteration >= rules.wide_steps && isSmall(step, equations, rules.small_step))) break;
+    shape = steppedBeside(points.middle(), shape, step);
+    if (!usable(shape)) return std::nullopt;
+    if (iteration < rules.wide_steps) continue;
+    if (isSmall(step, equations, rules.small_step)) break;
+    // A cylinder is as good: steps that would turn such a cone further are not worth their time.
+    sharpest = isSharpest(shape) ? sharpest + 1 : 0;
+    if (sharpest == kEnoughSharpest) break;
   }
   return shape;
 }

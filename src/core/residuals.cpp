@@ -90,7 +90,7 @@ Cone steppedBeside(const Vec3& beside, const Cone& cone, const Gradient& step) {
   const double radius = circle.radius + step[4], angle = cone.half_angle + step[5];
   Vec3 axis = turn.turned(cone.axis, step[2], step[3]);
   if (angle < 0.0) axis = -axis;
-  const double half_angle = std::max(std::abs(angle), kSharpest);
+  const double half_angle = std::max(std::abs(angle), kLeastHalfAngle);
   return {middle - radius / std::tan(half_angle) * axis, axis, radius > 0.0 ? half_angle : -half_angle};
 }
 

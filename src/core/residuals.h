@@ -97,7 +97,7 @@ struct Circle {
 Circle circleBeside(const Vec3& beside, const Cone& cone);
 
 /// Half angle (rad) that a step does not go below: the apex is fifty radii away, and a cylinder as good.
-constexpr double kSharpest = 0.02;
+constexpr double kLeastHalfAngle = 0.02;
 
 /// The shape a step away in the parameters of its fit (kernels/loops.h): a cone's are those of its circle beside this
 /// point (m). The apex and the angle of a slender cone far from its apex are neither linear in what moves the surface,

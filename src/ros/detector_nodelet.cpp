@@ -118,6 +118,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   pipeline_->published();
   warnIfHopeless();
   warnIfNotSeenFromOrigin();
+  tellFoundCamera();
 }
 
 PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
@@ -152,6 +153,16 @@ void DetectorNodelet::warnIfNotSeenFromOrigin() {
                                             : "is sensor_frame the camera's optical frame, and the transform right?";
   NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are not seen from the origin of frame '"
                                 << sensor_header_.frame_id << "' along z: " << advice);
+}
+
+void DetectorNodelet::tellFoundCamera() {
+  if (!pipeline_->foundCamera() || told_found_camera_) return;
+  told_found_camera_ = true;
+  const Eigen::Vector3d position = pipeline_->foundCamera()->translation();
+  NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are images that were moved to frame '"
+                                << sensor_header_.frame_id << "': searched from where their rows and columns tell that "
+                                << "the camera was, at (" << position.transpose()
+                                << ") m; sensor_frame names another place");
 }
 
 void DetectorNodelet::warnIfHopeless() {

@@ -48,6 +48,8 @@ class DetectorNodelet : public nodelet::Nodelet {
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
   void warnIfNotSeenFromOrigin();
+  /// Once.
+  void tellFoundCamera();
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
@@ -70,6 +72,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   bool with_labels_ = false;        ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
   bool told_not_from_origin_ = false;
+  bool told_found_camera_ = false;
   bool told_silent_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
 

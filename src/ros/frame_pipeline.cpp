@@ -10,6 +10,8 @@
 #include "cloud_reader.h"
 #include "output_clouds.h"
 #include "primitect/detector.h"
+#include "primitect/moved_image.h"
+#include "primitect/transforms.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -20,6 +22,10 @@ std::string metres(const char* name, double value) {
 
 std::string depthRangeText(double min_depth, double max_depth) {
   return "between " + metres("min_depth", min_depth) + " and " + metres("max_depth", max_depth);
+}
+
+DepthRange rangeOf(const Params& params) {
+  return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
 }
 
 Detections nothing(Status why) {
@@ -69,17 +75,39 @@ void FramePipeline::published() {
   if (governor_ && status_ == Status::ok) governor_->endFrame(times_.elapsed());
 }
 
+/// Returns whether the cloud is an image that was moved, and leaves it before its camera, cut.
+bool FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
+  if (!isMovedImage(cloud_)) return false;
+  const DepthRange range = rangeOf(params());
+  // What was cut off was so along the wrong axis.
+  if (!readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_).empty()) return false;
+  cloud_from_found_camera_ = findCamera(cloud_);
+  if (cloud_from_found_camera_) {
+    cloud_.move(cloud_from_found_camera_->inverse(), range);
+    return true;
+  }
+  readCloud(message, range, {params().use_cloud_normals, with_labels}, cloud_);
+  return false;
+}
+
 PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, bool with_labels,
                                        const std::optional<Eigen::Isometry3d>& sensor_from_cloud) {
   static const Detections kRejected = nothing(Status::rejected_input);
-  const DepthRange range{static_cast<float>(params().min_depth), static_cast<float>(params().max_depth)};
+  const DepthRange range = rangeOf(params());
   // How many points of a moved cloud are within the range, and enough, shows when it was moved.
   const Wanted wanted = {params().use_cloud_normals, with_labels || sensor_from_cloud};
   problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, wanted, cloud_);
   has_cloud_ = problem_.empty();
+  cloud_from_found_camera_.reset();
+  const bool found_camera = has_cloud_ && !sensor_from_cloud && lookForCamera(message, with_labels);
   if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
-  const Detections& detections = has_cloud_ ? detect() : kRejected;
+  const Detections& detected = has_cloud_ ? detect() : kRejected;
+  if (found_camera) {
+    in_frame_of_cloud_ = detected;
+    transformDetections(*cloud_from_found_camera_, in_frame_of_cloud_);
+  }
+  const Detections& detections = found_camera ? in_frame_of_cloud_ : detected;
   status_ = detections.status;
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
@@ -93,6 +121,7 @@ PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, 
   static const Detections kNoTransform = nothing(Status::no_transform);
   problem_ = problem;
   has_cloud_ = false;
+  cloud_from_found_camera_.reset();
   status_ = kNoTransform.status;
   refusals_ = {};
   return message_writer_.write(kNoTransform, header);
@@ -115,11 +144,24 @@ std::string FramePipeline::problemOf(const Detections& detections) const {
 
 sensor_msgs::PointCloud2 FramePipeline::labels(const std_msgs::Header& header) {
   detector_.label(cloud_, labels_);
-  return labelCloud(header, cloud_, labels_, detector_.result());
+  if (!cloud_from_found_camera_) return labelCloud(header, cloud_, labels_, detector_.result());
+  Cloud moved_back = cloud_;
+  moved_back.move(*cloud_from_found_camera_, DepthRange());
+  return labelCloud(header, moved_back, labels_, detector_.result());
 }
 
 sensor_msgs::PointCloud2 FramePipeline::normals(const std_msgs::Header& header) const {
-  return normalCloud(header, detector_.samples());
+  const SampleView samples = detector_.samples();
+  if (!cloud_from_found_camera_) return normalCloud(header, samples);
+  Cloud moved_back;
+  moved_back.reset(static_cast<std::uint32_t>(samples.count), 1, true);
+  for (std::size_t i = 0; i < samples.count; ++i) {
+    moved_back.setPoint(i, samples.x[i], samples.y[i], samples.z[i], DepthRange());
+    moved_back.nx[i] = samples.nx[i], moved_back.ny[i] = samples.ny[i], moved_back.nz[i] = samples.nz[i];
+  }
+  moved_back.move(*cloud_from_found_camera_, DepthRange());
+  return normalCloud(header, {moved_back.x.data(), moved_back.y.data(), moved_back.z.data(), moved_back.nx.data(),
+                              moved_back.ny.data(), moved_back.nz.data(), samples.count});
 }
 
 }  // namespace primitect::ros_layer

@@ -31,7 +31,9 @@ class FramePipeline {
   const Params& params() const { return detector_.params(); }
 
   /// Reads the cloud, moves it to the sensor where it comes in another frame, and detects: primitives are in the frame
-  /// of the sensor. When the status is not OK, problem() says why. processing_time is left 0.
+  /// of the sensor. An image that somebody moved is searched from where its camera was (moved_image.h), where nobody
+  /// says; primitives are in the frame of the cloud then. When the status is not OK, problem() says why.
+  /// processing_time is left 0.
   /// With max_latency, times().begin() is when the frame came.
   /// with_labels: labels() will be asked for. Else large images are read no finer than they are worked on.
   /// The result may be changed; it is valid until the next call.
@@ -59,6 +61,9 @@ class FramePipeline {
   /// The last cloud could be read.
   bool hasCloud() const { return has_cloud_; }
 
+  /// Of the last cloud, where its own rows and columns told it; in its frame.
+  const std::optional<Eigen::Isometry3d>& foundCamera() const { return cloud_from_found_camera_; }
+
   /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.
   std::optional<bool> seenFromOrigin() const;
 
@@ -68,7 +73,7 @@ class FramePipeline {
   /// Of the last cloud; see Detections.
   double imageNoise() const { return has_cloud_ ? detector_.result().image_noise : 0.0; }
 
-  /// Of the last cloud, if there is one, where the sensor is at the origin; labels of what was processed with them.
+  /// Of the last cloud, if there is one, in the frame of the primitives; labels of what was processed with them.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;
 
@@ -81,6 +86,7 @@ class FramePipeline {
   Detector makeDetector(const Params& params);
   void stageDone(const char* stage);
   void resetGovernor();
+  bool lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels);
   const Detections& detect();
   std::string problemOf(const Detections& detections) const;
 
@@ -89,6 +95,8 @@ class FramePipeline {
   Detector detector_;
   std::optional<LatencyGovernor> governor_;
   Cloud cloud_;
+  std::optional<Eigen::Isometry3d> cloud_from_found_camera_;
+  Detections in_frame_of_cloud_;  ///< with a found camera
   bool has_cloud_ = false;
   Status status_ = Status::ok;  ///< of the last cloud
   Refusals refusals_;

@@ -3,6 +3,8 @@
 // Read, moved to the sensor, cut.
 #include "tools/detect_input.h"
 
+#include "primitect/moved_image.h"
+
 namespace primitect::tools {
 namespace {
 
@@ -13,6 +15,16 @@ void moveToSensor(const io::SensorPose& sensor, DetectInput& input) {
   input.moved->move(sensor_from_points, DepthRange());
   input.cloud = input.file.cloud;
   input.cloud.move(sensor_from_points, input.range);
+}
+
+/// What a node does with an image that was moved to another frame.
+void moveToFoundCamera(DetectInput& input) {
+  if (!isMovedImage(input.cloud)) return;
+  const auto points_from_camera = findCamera(input.file.cloud);
+  if (!points_from_camera) return;
+  input.sensor = io::SensorPose{points_from_camera->translation(), Eigen::Quaterniond(points_from_camera->linear())};
+  input.found_sensor = true;
+  moveToSensor(*input.sensor, input);
 }
 
 }  // namespace
@@ -28,6 +40,7 @@ DetectInput readInput(const DetectOptions& options, const std::string& path) {
     moveToSensor(*input.sensor, input);
   } else {
     io::cutAtDepth(points, input.range, input.cloud);
+    moveToFoundCamera(input);
   }
   if (!input.params.use_cloud_normals) input.cloud.dropNormals();
   return input;

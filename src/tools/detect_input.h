@@ -16,8 +16,10 @@ namespace primitect::tools {
 /// A file's points as they are, and as the detector gets them.
 struct DetectInput {
   io::PointFile file;
-  std::optional<io::SensorPose> sensor;  ///< where the user says that the sensor was; else it is at the origin
-  std::optional<Cloud> moved;            ///< with a sensor: all points, in its frame
+  std::optional<io::SensorPose>
+      sensor;  ///< where the user says that the sensor was, or the image tells it; else it is at the origin
+  bool found_sensor = false;   ///< the image tells it
+  std::optional<Cloud> moved;  ///< with a sensor: all points, in its frame
   Params params;
   DepthRange range;
   Cloud cloud;  ///< in the frame of the sensor, cut to the range

@@ -43,6 +43,13 @@ std::string sensorAdvice(const io::PointFile& file) {
          io::sensorPoseText(sensorAt(*file.viewpoint, file.cloud)) + "\"";
 }
 
+std::string foundSensorText(const DetectInput& input) {
+  if (!input.found_sensor) return "";
+  return "  note: the points are an image that was moved to another frame; its rows and columns tell where the camera "
+         "was: --sensor \"" +
+         io::sensorPoseText(*input.sensor) + "\" is used\n";
+}
+
 /// Clouds of robots and maps have their table or floor through the origin.
 std::string otherFrameText(const Detections& found, const DetectInput& input) {
   const Cloud& seen = input.seen();
@@ -52,7 +59,7 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
   } else if (found.seen_from_origin) {
     return "";
   }
-  if (input.sensor) {
+  if (input.sensor && !input.found_sensor) {
     return "  note: " + what +
            "; is --sensor the pose of the camera's optical frame (z ahead, x right, y down) in the frame of the "
            "file?\n";
@@ -100,8 +107,8 @@ std::string ignoredFramesText(const DetectOptions& options) {
 }
 
 std::string notesText(const Detections& found, const DetectInput& input) {
-  return unitsText(found, input.seen()) + intrinsicsText(input.file) + otherFrameText(found, input) +
-         normalsText(found) + noiseText(found);
+  return unitsText(found, input.seen()) + intrinsicsText(input.file) + foundSensorText(input) +
+         otherFrameText(found, input) + normalsText(found) + noiseText(found);
 }
 
 }  // namespace primitect::tools

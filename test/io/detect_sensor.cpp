@@ -27,8 +27,9 @@ std::string poseText() {
 
 constexpr const char* kNoViewpoint = "0 0 0 1 0 0 0";
 
-/// The points of the image in another frame, as a PCD.
-std::string ballPcd(const Eigen::Isometry3d& frame_from_camera, const std::string& viewpoint = kNoViewpoint) {
+/// The points of the image in another frame, as a PCD; flat: of a wall, which tells no camera from another.
+std::string ballPcd(const Eigen::Isometry3d& frame_from_camera, const std::string& viewpoint = kNoViewpoint,
+                    bool flat = false) {
   const cv::Mat image = ballImage();
   std::ostringstream pcd;
   pcd.precision(9);
@@ -36,7 +37,7 @@ std::string ballPcd(const Eigen::Isometry3d& frame_from_camera, const std::strin
       << image.rows << "\nVIEWPOINT " << viewpoint << "\nPOINTS " << image.total() << "\nDATA ascii\n";
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
-      const double z = 0.001 * image.at<std::uint16_t>(v, u);
+      const double z = flat ? 1.0 : 0.001 * image.at<std::uint16_t>(v, u);
       const Vec3 point = frame_from_camera * Vec3((u - 159.5) / 262.5 * z, (v - 119.5) / 262.5 * z, z);
       pcd << point.x() << " " << point.y() << " " << point.z() << "\n";
     }
@@ -83,14 +84,37 @@ TEST_F(DetectSensor, FindsTheSameInTheFrameOfTheFile) {
   }
 }
 
-TEST_F(DetectSensor, WithoutItTheyAreNotSeenFromTheOrigin) {
-  EXPECT_EQ(run(in_robot), 0);
+TEST_F(DetectSensor, WithoutItAWallIsNotSeenFromTheOrigin) {
+  const std::string wall_in_robot = write("wall.pcd", ballPcd(kRobotFromCamera, kNoViewpoint, true));
+  EXPECT_EQ(run(wall_in_robot), 0);
   EXPECT_NE(out.find("note: "), std::string::npos) << out;
   EXPECT_NE(out.find("--sensor says where the camera was"), std::string::npos) << out;
+  EXPECT_EQ(run(wall_in_robot + sensor), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
   EXPECT_EQ(run(in_robot + sensor), 0);
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
   EXPECT_EQ(run(in_camera + sensor), 0);
   EXPECT_NE(out.find("is --sensor the pose of the camera's optical frame"), std::string::npos) << out;
+}
+
+TEST_F(DetectSensor, WithoutItAnImageTellsWhereItsCameraWas) {
+  EXPECT_EQ(run(in_robot), 0);
+  const std::size_t begin = out.find("rows and columns tell where the camera was: ");
+  ASSERT_NE(begin, std::string::npos) << out;
+  const std::size_t option = out.find("--sensor", begin);
+  const std::string used = out.substr(option, out.find(" is used", option) - option);
+  const Json found = runOrdered(in_robot), again = runOrdered(in_robot + " " + used);
+  EXPECT_EQ(found["seen_from_origin"], true);
+  EXPECT_GE(found["primitives"].size(), 2u);
+  ASSERT_EQ(found["primitives"].size(), again["primitives"].size()) << used;
+  const Json told = runOrdered(in_robot + sensor);
+  ASSERT_EQ(found["primitives"].size(), told["primitives"].size());
+  for (std::size_t k = 0; k < told["primitives"].size(); ++k) {
+    const Json& primitive = found["primitives"][k];
+    EXPECT_EQ(primitive["type"], told["primitives"][k]["type"]);
+    const Vec3 origin = vectorOf(primitive["extent"]["origin"]);
+    EXPECT_LT((origin - vectorOf(told["primitives"][k]["extent"]["origin"])).norm(), 0.005);
+  }
 }
 
 /// In the order of a PCD.
@@ -100,21 +124,27 @@ std::string viewpointText(const Eigen::Quaterniond& orientation) {
   return text.str();
 }
 
+/// The option that a note advises after these words.
+std::string adviceAfter(const std::string& words, const std::string& out) {
+  const std::size_t begin = out.find(words + ": try --sensor \"");
+  if (begin == std::string::npos) return "";
+  const std::size_t option = out.find("--sensor", begin);
+  return out.substr(option, out.find('\n', begin) - option);
+}
+
 TEST_F(DetectSensor, TakesWhatTheNoteAdvisesWhereAViewpointIsToldInEitherConvention) {
   const Eigen::Quaterniond optical(kRobotFromCamera.linear());
   Eigen::Matrix3d ahead_left_up;
   ahead_left_up << kRobotFromCamera.linear().col(2), -kRobotFromCamera.linear().col(0),
       -kRobotFromCamera.linear().col(1);
   for (const Eigen::Quaterniond& orientation : {optical, Eigen::Quaterniond(ahead_left_up)}) {
-    const std::string file = write("viewpoint.pcd", ballPcd(kRobotFromCamera, viewpointText(orientation)));
+    const std::string file = write("viewpoint.pcd", ballPcd(kRobotFromCamera, viewpointText(orientation), true));
     EXPECT_EQ(run(file), 0);
-    const std::size_t begin = out.find("VIEWPOINT of the file may say where the camera was: try --sensor \"");
-    ASSERT_NE(begin, std::string::npos) << out;
-    const std::string advice =
-        out.substr(out.find("--sensor", begin), out.find('\n', begin) - out.find("--sensor", begin));
+    const std::string advice = adviceAfter("VIEWPOINT of the file may say where the camera was", out);
+    ASSERT_FALSE(advice.empty()) << out;
     const Json found = runOrdered(file + " " + advice);
     EXPECT_EQ(found["seen_from_origin"], true) << advice;
-    const Json expected = runOrdered(in_robot + sensor);
+    const Json expected = runOrdered(file + sensor);
     ASSERT_EQ(found["primitives"].size(), expected["primitives"].size()) << advice;
     EXPECT_EQ(found["points_used"], expected["points_used"]) << advice;
   }
@@ -130,7 +160,7 @@ TEST_F(DetectSensor, DoesNotUseAViewpointUnasked) {
 
 TEST_F(DetectSensor, AdvisesNoViewpointThatIsNone) {
   for (const char* none : {kNoViewpoint, "0 0 0 2 0 0 0", "0 0 0 0 0 0 0", "1 2 nan 1 0 0 0"}) {
-    EXPECT_EQ(run(write("none.pcd", ballPcd(kRobotFromCamera, none))), 0) << err;
+    EXPECT_EQ(run(write("none.pcd", ballPcd(kRobotFromCamera, none, true))), 0) << err;
     EXPECT_NE(out.find("--sensor says where"), std::string::npos) << out;
     EXPECT_EQ(out.find("VIEWPOINT"), std::string::npos) << out;
   }

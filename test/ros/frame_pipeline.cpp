@@ -4,6 +4,7 @@
 #include "ros/frame_pipeline.h"
 
 #include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <limits>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "cloud_messages.h"
 #include "ros/synthetic_messages.h"
 #include "synthetic/frame.h"
+#include "synthetic/poses.h"
 #include "synthetic/tabletop.h"
 
 namespace primitect {
@@ -129,6 +131,44 @@ TEST(FramePipeline, TellsWhereACloudWasSeenFromOnlyByItsPoints) {
   seenFromOrigin(behind);
   pipeline.withoutTransform({}, "no transform");
   EXPECT_EQ(pipeline.seenFromOrigin(), std::nullopt);
+}
+
+/// A table, and how its camera stood on a robot.
+PointCloud2 tableIn(const Eigen::Isometry3d& frame_from_camera) {
+  const synthetic::PinholeCamera camera;
+  const synthetic::Frame frame = renderFrame(synthetic::tabletop(1), camera, synthetic::cameraPose(2.0), {}, 1, 0);
+  PointCloud2 message = *depthCloud({}, frame.depth, camera);
+  sensor_msgs::PointCloud2Iterator<float> x(message, "x"), y(message, "y"), z(message, "z");
+  for (; x != x.end(); ++x, ++y, ++z) {
+    const Eigen::Vector3d moved = frame_from_camera * Eigen::Vector3d(*x, *y, *z);
+    *x = static_cast<float>(moved.x()), *y = static_cast<float>(moved.y()), *z = static_cast<float>(moved.z());
+  }
+  return message;
+}
+
+TEST(FramePipeline, SearchesAnImageThatWasMovedFromWhereItsCameraWas) {
+  const Eigen::Isometry3d robot_from_camera = synthetic::robotFromCamera(1.3, 0.6);
+  FramePipeline pipeline{Params()};
+  pipeline.times().begin();
+  const PrimitiveArray expected = pipeline.process(tableIn(Eigen::Isometry3d::Identity()));
+  EXPECT_FALSE(pipeline.foundCamera());
+  const PrimitiveArray found = pipeline.process(tableIn(robot_from_camera));
+  ASSERT_TRUE(pipeline.foundCamera());
+  EXPECT_EQ(pipeline.seenFromOrigin(), true);
+  EXPECT_LT((pipeline.foundCamera()->translation() - robot_from_camera.translation()).norm(), 0.002);
+  ASSERT_GE(expected.primitives.size(), 4u);
+  ASSERT_EQ(found.primitives.size(), expected.primitives.size());
+  const auto placeOf = [](const Primitive& primitive) {
+    const auto& p = primitive.pose.pose.position;
+    return Eigen::Vector3d(p.x, p.y, p.z);
+  };
+  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
+    EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
+    const Eigen::Vector3d place = robot_from_camera * placeOf(expected.primitives[k]);
+    EXPECT_LT((placeOf(found.primitives[k]) - place).norm(), 0.01) << k;
+  }
+  pipeline.process(tableIn(Eigen::Isometry3d::Identity()));
+  EXPECT_FALSE(pipeline.foundCamera()) << "of the cloud before";
 }
 
 /// 1281 x 961 pixels of a table, with all of its points within the range.

@@ -57,6 +57,12 @@ def in_base_with_normals():
                          names=("x", "y", "z", "normal_x", "normal_y", "normal_z"))
 
 
+def wall_in_base():
+    """Of which no image tells where its camera was."""
+    moved = [turned([NEAR_WALL / point[2] * a for a in point]) for point in POINTS]
+    return cloud_message([(x, y, z + HEIGHT) for x, y, z in moved], WIDTH, IMAGE_HEIGHT, frame="base")
+
+
 def largest(answer, kind):
     return max((p for p in answer.primitives if p.type == kind), key=lambda p: p.inlier_count)
 
@@ -134,13 +140,40 @@ class SensorFrame(unittest.TestCase):
             for value, true in zip(values[3:], true_normal(values[:3])):
                 self.assertAlmostEqual(value, true, delta=0.001)
 
+    def test_without_it_an_image_tells_where_its_camera_was(self):
+        detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
+        labels, normals = Collector("/without/labels", PointCloud2), Collector("/without/normals", PointCloud2)
+        self.assertTrue(detector.ready())
+        self.assertTrue(wait_for(lambda: labels.connected() and normals.connected()))
+        answers = []
+
+        def told():
+            answers.append(detector.ask(in_base_with_normals()))
+            return [m for m in log.all() if m.name == "/without" and "rows and columns tell" in m.msg]
+        self.assertTrue(wait_for(told))
+        self.check_primitives(answers[-1])
+        stamp = answers[-1].header.stamp
+        self.assertTrue(wait_for(lambda: all(m.last() and m.last().header.stamp == stamp for m in (labels, normals))))
+        self.assertEqual((labels.last().header.frame_id, normals.last().header.frame_id), ("base", "base"))
+        for i, point in enumerate(POINTS):
+            x, y, z = struct.unpack_from("<3f", labels.last().data, i * labels.last().point_step)
+            if point[2] > MAX_DEPTH:
+                self.assertTrue(math.isnan(x))
+                continue
+            for value, true in zip((x, y, z - HEIGHT), turned(point)):
+                self.assertAlmostEqual(value, true, delta=0.001)
+        for i in range(normals.last().width):
+            x, y, z, *normal = struct.unpack_from("<6f", normals.last().data, i * normals.last().point_step)
+            for value, true in zip(normal, turned(true_normal((-y, HEIGHT - z, x)))):
+                self.assertAlmostEqual(value, true, delta=0.005)
+
     def test_without_it_the_log_and_diagnostics_ask_for_it(self):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
         diagnostics = Collector("/diagnostics", DiagnosticArray)
         self.assertTrue(detector.ready())
 
         def said():
-            detector.ask(in_base())
+            detector.ask(wall_in_base())
             states = [s for m in diagnostics.all() for s in m.status if s.name == "without: input"]
             warnings = [m for m in log.all() if m.name == "/without" and "set sensor_frame" in m.msg]
             return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message and
