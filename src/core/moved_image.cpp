@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 #include <vector>
 
 #include "core/image_rays.h"
@@ -17,21 +17,24 @@ namespace {
 
 using Projection = Eigen::Matrix<double, 3, 4>;
 
+constexpr std::size_t kFewest = 50;  // points
+
 struct Seen {
   Vec3 point;             ///< m
   Eigen::Vector2d pixel;  ///< column and row
 };
 
-/// Some hundred from all over the image.
+/// Some hundred from all over the image, every so many columns and rows.
 std::vector<Seen> someOf(const Cloud& cloud) {
   constexpr std::uint32_t kEnough = 1024;
-  std::size_t step = std::max<std::size_t>(1, cloud.valid_count / kEnough);
-  while (std::gcd(step, static_cast<std::size_t>(cloud.width)) > 1) ++step;  // then it visits all columns
+  const auto step = std::max(1u, static_cast<std::uint32_t>(std::sqrt(cloud.valid_count / kEnough)));
   std::vector<Seen> seen;
-  for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (!cloud.valid(i)) continue;
-    seen.push_back({Vec3(cloud.x[i], cloud.y[i], cloud.z[i]),
-                    Eigen::Vector2d(static_cast<double>(i % cloud.width), static_cast<double>(i / cloud.width))});
+  for (std::uint32_t row = 0; row < cloud.height; row += step) {
+    for (std::uint32_t column = 0; column < cloud.width; column += step) {
+      const std::size_t i = std::size_t{row} * cloud.width + column;
+      if (!cloud.valid(i)) continue;
+      seen.push_back({Vec3(cloud.x[i], cloud.y[i], cloud.z[i]), Eigen::Vector2d(column, row)});
+    }
   }
   return seen;
 }
@@ -50,10 +53,12 @@ Eigen::Matrix<double, size + 1, size + 1> normalizing(const std::vector<Seen>& s
   return transform;
 }
 
-/// Up to its scale, which may be negative.
-std::optional<Projection> projectionOf(const std::vector<Seen>& seen) {
-  // Noise leaves nothing beside what tells the next worst known direction; points in a plane leave four unknown ones.
-  constexpr double kUnknown = 1e-3;
+struct Fit {
+  Projection projection;  ///< up to its scale, which may be negative
+  double unknown;         ///< what is left, as a share of what tells the next worst known direction
+};
+
+std::optional<Fit> fitTo(const std::vector<Seen>& seen) {
   const auto of_pixels = normalizing<2>(seen, [](const Seen& each) { return each.pixel; });
   const auto of_points = normalizing<3>(seen, [](const Seen& each) { return each.point; });
   Eigen::Matrix<double, 12, 12> sums = Eigen::Matrix<double, 12, 12>::Zero();
@@ -68,21 +73,47 @@ std::optional<Projection> projectionOf(const std::vector<Seen>& seen) {
     }
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> eigen(sums);
-  if (!(eigen.eigenvalues()[0] < kUnknown * eigen.eigenvalues()[1])) return std::nullopt;
+  if (!(eigen.eigenvalues()[1] > 0.0)) return std::nullopt;
   const Eigen::Matrix<double, 12, 1> least = eigen.eigenvectors().col(0);
   Projection normalized;
   for (int k = 0; k < 3; ++k) normalized.row(k) = least.segment<4>(4 * k);
-  return of_pixels.inverse() * normalized * of_points;
+  return Fit{of_pixels.inverse() * normalized * of_points, eigen.eigenvalues()[0] / eigen.eigenvalues()[1]};
 }
 
-/// Root mean square (px).
-double misfitOf(const Projection& projection, const std::vector<Seen>& seen) {
+/// How far a point is from where it would be seen (px); NaN where that is nowhere.
+double errorOf(const Projection& projection, const Seen& seen) {
+  const Vec3 image = projection * seen.point.homogeneous();
+  return (image.head<2>() / image.z() - seen.pixel).norm();
+}
+
+/// Those that a camera explains, and how far they are off.
+struct Explained {
+  std::vector<Seen> seen;
+  double misfit = 0.0;  ///< px, root mean square
+};
+
+Explained explainedBy(const Projection& projection, const std::vector<Seen>& seen, double limit) {
+  Explained explained;
   double sum = 0.0;
   for (const Seen& each : seen) {
-    const Vec3 image = projection * each.point.homogeneous();
-    sum += (image.head<2>() / image.z() - each.pixel).squaredNorm();
+    const double error = errorOf(projection, each);
+    if (!(error < limit)) continue;
+    explained.seen.push_back(each);
+    sum += error * error;
   }
-  return std::sqrt(sum / static_cast<double>(seen.size()));
+  explained.misfit = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, explained.seen.size())));
+  return explained;
+}
+
+/// Of more than half of them the error is no larger (px); those that are nowhere count as far off.
+double medianError(const Projection& projection, const std::vector<Seen>& seen) {
+  std::vector<double> errors;
+  for (const Seen& each : seen) {
+    const double error = errorOf(projection, each);
+    errors.push_back(std::isfinite(error) ? error : std::numeric_limits<double>::max());
+  }
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+  return errors[errors.size() / 2];
 }
 
 /// m = k r: k upper triangular with a positive diagonal, r orthogonal.
@@ -100,33 +131,65 @@ void split(const Eigen::Matrix3d& m, Eigen::Matrix3d& k, Eigen::Matrix3d& r) {
   r.row(0) = first / k(0, 0);
 }
 
-/// Pixels are square, and the axis of the lens is not far from the middle; k(2, 2) is 1.
+/// Those that a fit to themselves explains about as well as most: strays turn the first ones.
+std::vector<Seen> withoutStrays(const std::vector<Seen>& seen) {
+  constexpr int kTimes = 5;
+  constexpr double kFar = 4.0, kLeastFar = 0.1;  // times the median error; px
+  std::vector<Seen> trusted = seen;
+  for (int time = 0; time < kTimes && trusted.size() >= kFewest; ++time) {
+    const std::optional<Fit> fit = fitTo(trusted);
+    if (!fit) return {};
+    const double far = std::max(kLeastFar, kFar * medianError(fit->projection, seen));
+    const std::size_t before = trusted.size();
+    trusted = explainedBy(fit->projection, seen, far).seen;
+    if (trusted.size() == before) break;
+  }
+  return trusted;
+}
+
+/// Pixels are square, and the axis of the lens is not far from the image, of which a part may have been cut off;
+/// k(2, 2) is 1.
 bool isOfACamera(const Eigen::Matrix3d& k, const Cloud& cloud) {
-  constexpr double kLongest = 2.5, kSkew = 0.02, kBorder = 0.2;  // every other row may be missing
+  constexpr double kLongest = 4.5, kSkew = 0.02, kBeside = 0.5;  // of every four rows three may be missing
   const double longer = k(0, 0) / k(1, 1);
-  const auto central = [](double at, double size) { return kBorder * size < at && at < (1.0 - kBorder) * size; };
+  const auto central = [](double at, double size) { return -kBeside * size < at && at < (1.0 + kBeside) * size; };
   return longer < kLongest && longer > 1.0 / kLongest && std::abs(k(0, 1)) < kSkew * k(0, 0) &&
          central(k(0, 2), cloud.width) && central(k(1, 2), cloud.height);
 }
 
-}  // namespace
-
-bool isMovedImage(const Cloud& cloud) {
-  return cloud.organized() && (cloud.liesBehind() || !findRays(cloud).seen_from_origin);
+/// Not at the origin, along z: a poor lens there shifts what is found by some millimetres.
+bool isElsewhere(const Eigen::Isometry3d& cloud_from_camera) {
+  constexpr double kShift = 0.003, kTurn = 0.003;  // m, rad
+  return cloud_from_camera.translation().norm() > kShift ||
+         Eigen::AngleAxisd(cloud_from_camera.linear()).angle() > kTurn;
 }
 
+}  // namespace
+
+bool isMovedImage(const Cloud& cloud) { return cloud.organized() && (cloud.liesBehind() || !findRays(cloud).known); }
+
 std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
-  constexpr std::size_t kFewest = 50;
   constexpr double kLargestMisfit = 1.0 / 3.0;  // px
+  // Noise leaves nothing beside what tells the next worst known direction; points exactly in a plane leave four unknown
+  // ones.
+  constexpr double kUnknown = 1e-3;
+  constexpr double kNearlyAll = 0.9;
   if (!cloud.organized() || cloud.valid_count < kFewest) return std::nullopt;
   const std::vector<Seen> seen = someOf(cloud);
   if (seen.size() < kFewest) return std::nullopt;
-  const std::optional<Projection> found = projectionOf(seen);
-  if (!found || !(misfitOf(*found, seen) < kLargestMisfit)) return std::nullopt;
+  const std::vector<Seen> trusted = withoutStrays(seen);
+  if (static_cast<double>(trusted.size()) < kNearlyAll * static_cast<double>(seen.size())) return std::nullopt;
+  const std::optional<Fit> fit = fitTo(trusted);
+  if (!fit || !(fit->unknown < kUnknown)) return std::nullopt;
+  const Projection& found = fit->projection;
+  const Explained explained = explainedBy(found, trusted, std::numeric_limits<double>::infinity());
+  if (explained.seen.empty() || !(explained.misfit < kLargestMisfit)) return std::nullopt;
   // What it saw lies before the camera.
-  const Projection projection = (*found * seen.front().point.homogeneous()).z() < 0.0 ? Projection(-*found) : *found;
-  const auto behind = [&](const Seen& each) { return !((projection * each.point.homogeneous()).z() > 0.0); };
-  if (std::any_of(seen.begin(), seen.end(), behind)) return std::nullopt;
+  const auto depthOf = [&found](const Seen& each) { return (found * each.point.homogeneous()).z(); };
+  const double side = depthOf(explained.seen.front()) < 0.0 ? -1.0 : 1.0;
+  const auto behind = [&](const Seen& each) { return !(side * depthOf(each) > 0.0); };
+  if (std::any_of(explained.seen.begin(), explained.seen.end(), behind)) return std::nullopt;
+  const Projection projection = side * found;
   const Eigen::Matrix3d turned = projection.leftCols<3>();
   Eigen::Matrix3d k, r;
   split(turned, k, r);
@@ -134,7 +197,7 @@ std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
   Eigen::Isometry3d cloud_from_camera = Eigen::Isometry3d::Identity();
   cloud_from_camera.translation() = -turned.inverse() * projection.col(3);
   cloud_from_camera.linear() = r.transpose();
-  return cloud_from_camera;
+  return isElsewhere(cloud_from_camera) ? std::optional(cloud_from_camera) : std::nullopt;
 }
 
 }  // namespace primitect

@@ -126,7 +126,8 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   const std::string& source = cloud.header.frame_id;
   sensor_header_ = cloud.header;
   with_labels_ = labels_.getNumSubscribers() > 0;
-  if (sensor.empty() || sensor == frameName(source)) return pipeline_->process(cloud, with_labels_);
+  if (sensor.empty()) return pipeline_->process(cloud, with_labels_);
+  if (sensor == frameName(source)) return pipeline_->process(cloud, with_labels_, std::nullopt, CameraPlace::said);
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
@@ -161,8 +162,7 @@ void DetectorNodelet::tellFoundCamera() {
   const Eigen::Vector3d position = pipeline_->foundCamera()->translation();
   NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are images that were moved to frame '"
                                 << sensor_header_.frame_id << "': searched from where their rows and columns tell that "
-                                << "the camera was, at (" << position.transpose()
-                                << ") m; sensor_frame names another place");
+                                << "the camera was, at (" << position.transpose() << ") m; sensor_frame would say it");
 }
 
 void DetectorNodelet::warnIfHopeless() {
@@ -252,8 +252,10 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
     transformPrimitives(target_from_source, message);
   }
   message.header.frame_id = message.status == PrimitiveArray::OK ? target : cloud_frame;
-  marker_style_.viewpoint = target_from_source.translation();
-  marker_style_.up = target_from_source.linear() * -Vec3::UnitY();
+  const Eigen::Isometry3d target_from_sensor =
+      target_from_source * pipeline_->foundCamera().value_or(Eigen::Isometry3d::Identity());
+  marker_style_.viewpoint = target_from_sensor.translation();
+  marker_style_.up = target_from_sensor.linear() * -Vec3::UnitY();
   return problem;
 }
 
@@ -261,7 +263,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   const Lock lock(mutex_);
   try {
     pipeline_->setParams(fromConfig(config, pipeline_->params()));
-    told_hopeless_ = told_not_from_origin_ = false;
+    told_hopeless_ = told_not_from_origin_ = told_found_camera_ = false;
     if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
   } catch (const std::exception& error) {
     NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());

@@ -48,7 +48,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
   void warnIfNotSeenFromOrigin();
-  /// Once.
+  /// Once, or once more after parameters changed.
   void tellFoundCamera();
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();

@@ -91,7 +91,7 @@ bool FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool 
 }
 
 PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, bool with_labels,
-                                       const std::optional<Eigen::Isometry3d>& sensor_from_cloud) {
+                                       const std::optional<Eigen::Isometry3d>& sensor_from_cloud, CameraPlace place) {
   static const Detections kRejected = nothing(Status::rejected_input);
   const DepthRange range = rangeOf(params());
   // How many points of a moved cloud are within the range, and enough, shows when it was moved.
@@ -99,7 +99,8 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, wanted, cloud_);
   has_cloud_ = problem_.empty();
   cloud_from_found_camera_.reset();
-  const bool found_camera = has_cloud_ && !sensor_from_cloud && lookForCamera(message, with_labels);
+  const bool from_image = !sensor_from_cloud && place == CameraPlace::from_image;
+  const bool found_camera = has_cloud_ && from_image && lookForCamera(message, with_labels);
   if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
   const Detections& detected = has_cloud_ ? detect() : kRejected;

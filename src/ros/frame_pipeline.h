@@ -19,6 +19,12 @@
 
 namespace primitect::ros_layer {
 
+/// Of a cloud that comes without a transform.
+enum class CameraPlace {
+  from_image,  ///< at the origin, or where rows and columns of an image tell
+  said         ///< at the origin
+};
+
 class FramePipeline {
  public:
   /// Throws std::invalid_argument as Detector does.
@@ -38,7 +44,8 @@ class FramePipeline {
   /// with_labels: labels() will be asked for. Else large images are read no finer than they are worked on.
   /// The result may be changed; it is valid until the next call.
   PrimitiveArray& process(const sensor_msgs::PointCloud2& message, bool with_labels = false,
-                          const std::optional<Eigen::Isometry3d>& sensor_from_cloud = std::nullopt);
+                          const std::optional<Eigen::Isometry3d>& sensor_from_cloud = std::nullopt,
+                          CameraPlace place = CameraPlace::from_image);
 
   /// For a cloud whose place is not known: no primitives, status NO_TRANSFORM, and this problem.
   PrimitiveArray& withoutTransform(const std_msgs::Header& header, const std::string& problem);

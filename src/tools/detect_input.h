@@ -16,8 +16,8 @@ namespace primitect::tools {
 /// A file's points as they are, and as the detector gets them.
 struct DetectInput {
   io::PointFile file;
-  std::optional<io::SensorPose>
-      sensor;  ///< where the user says that the sensor was, or the image tells it; else it is at the origin
+  /// Where the user says that the sensor was, or the image tells it; else it is at the origin.
+  std::optional<io::SensorPose> sensor;
   bool found_sensor = false;   ///< the image tells it
   std::optional<Cloud> moved;  ///< with a sensor: all points, in its frame
   Params params;

@@ -162,6 +162,7 @@ class SensorFrame(unittest.TestCase):
                 continue
             for value, true in zip((x, y, z - HEIGHT), turned(point)):
                 self.assertAlmostEqual(value, true, delta=0.001)
+        self.assertGreater(normals.last().width, 500)
         for i in range(normals.last().width):
             x, y, z, *normal = struct.unpack_from("<6f", normals.last().data, i * normals.last().point_step)
             for value, true in zip(normal, turned(true_normal((-y, HEIGHT - z, x)))):
