@@ -15,6 +15,7 @@ from primitect.msg import Primitive, PrimitiveArray
 from ros_helpers import Collector, Detector, camera_looking_ahead, cloud_message, wait_for, wall_and_ball
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import PointCloud2
+from visualization_msgs.msg import MarkerArray
 
 HEIGHT = 0.3  # m: less than half of the image is higher than the least depth above the base
 NEAR_WALL, FAR_WALL, MAX_DEPTH = 1.2, 2.4, 2.0  # m
@@ -143,8 +144,9 @@ class SensorFrame(unittest.TestCase):
     def test_without_it_an_image_tells_where_its_camera_was(self):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
         labels, normals = Collector("/without/labels", PointCloud2), Collector("/without/normals", PointCloud2)
+        markers = Collector("/without/markers", MarkerArray)
         self.assertTrue(detector.ready())
-        self.assertTrue(wait_for(lambda: labels.connected() and normals.connected()))
+        self.assertTrue(wait_for(lambda: all(m.connected() for m in (labels, normals, markers))))
         answers = []
 
         def told():
@@ -162,6 +164,9 @@ class SensorFrame(unittest.TestCase):
                 continue
             for value, true in zip((x, y, z - HEIGHT), turned(point)):
                 self.assertAlmostEqual(value, true, delta=0.001)
+        name = [m for m in markers.last().markers if m.ns == "sphere_text"][0].pose.position
+        self.assertGreater(name.z, HEIGHT + RADIUS)  # above the ball
+        self.assertAlmostEqual(name.y, 0.0, delta=RADIUS)
         self.assertGreater(normals.last().width, 500)
         for i in range(normals.last().width):
             x, y, z, *normal = struct.unpack_from("<6f", normals.last().data, i * normals.last().point_step)
