@@ -157,6 +157,13 @@ bool isOfACamera(const Eigen::Matrix3d& k, const Cloud& cloud) {
          central(k(0, 2), cloud.width) && central(k(1, 2), cloud.height);
 }
 
+/// Points that lie not where the camera is: there are those that it writes as (0, 0, 0) where it measures nothing.
+std::ptrdiff_t countElsewhere(const Vec3& camera, const std::vector<Seen>& seen) {
+  constexpr double kThere = 0.001;  // m
+  return std::count_if(seen.begin(), seen.end(),
+                       [&camera](const Seen& each) { return (each.point - camera).norm() > kThere; });
+}
+
 /// Not at the origin, along z: a poor lens there shifts what is found by some millimetres.
 bool isElsewhere(const Eigen::Isometry3d& cloud_from_camera) {
   constexpr double kShift = 0.003, kTurn = 0.003;  // m, rad
@@ -178,7 +185,7 @@ std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
   const std::vector<Seen> seen = someOf(cloud);
   if (seen.size() < kFewest) return std::nullopt;
   const std::vector<Seen> trusted = withoutStrays(seen);
-  if (static_cast<double>(trusted.size()) < kNearlyAll * static_cast<double>(seen.size())) return std::nullopt;
+  if (trusted.size() < kFewest) return std::nullopt;
   const std::optional<Fit> fit = fitTo(trusted);
   if (!fit || !(fit->unknown < kUnknown)) return std::nullopt;
   const Projection& found = fit->projection;
@@ -197,6 +204,8 @@ std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
   Eigen::Isometry3d cloud_from_camera = Eigen::Isometry3d::Identity();
   cloud_from_camera.translation() = -turned.inverse() * projection.col(3);
   cloud_from_camera.linear() = r.transpose();
+  const double most = kNearlyAll * static_cast<double>(countElsewhere(cloud_from_camera.translation(), seen));
+  if (static_cast<double>(trusted.size()) < most) return std::nullopt;
   return isElsewhere(cloud_from_camera) ? std::optional(cloud_from_camera) : std::nullopt;
 }
 

@@ -91,6 +91,20 @@ TEST(FindCamera, WhateverAFewStraysSay) {
   EXPECT_LT((found->translation() - pose.translation()).norm(), 0.002);
 }
 
+/// As a cloud whose missing points are at (0, 0, 0), moved with them.
+TEST(FindCamera, WhereMissingPointsAreAtTheCamera) {
+  const Eigen::Isometry3d pose = synthetic::robotFromCamera(1.3, 0.6);
+  Cloud cloud = table(1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Vec3 point = cloud.valid(i) && i % 5 > 0 ? Vec3(cloud.x[i], cloud.y[i], cloud.z[i]) : Vec3(0, 0, 0);
+    const Vec3 there = pose * point;
+    cloud.setPoint(i, static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z()), {});
+  }
+  const auto found = findCamera(cloud);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->translation() - pose.translation()).norm(), 0.002);
+}
+
 TEST(FindCamera, InAPartOfItsImageAndWhereRowsAreMissing) {
   const Eigen::Isometry3d pose = synthetic::robotFromCamera(1.3, 0.6);
   const Cloud image = moved(table(1), pose);
