@@ -75,19 +75,18 @@ void FramePipeline::published() {
   if (governor_ && status_ == Status::ok) governor_->endFrame(times_.elapsed());
 }
 
-/// Returns whether the cloud is an image that was moved, and leaves it before its camera, cut.
-bool FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
-  if (!isMovedImage(cloud_)) return false;
+/// Leaves the cloud before its camera, cut, where it is an image that was moved.
+void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
+  if (!isMovedImage(cloud_)) return;
   const DepthRange range = rangeOf(params());
-  // What was cut off was so along the wrong axis.
-  if (!readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_).empty()) return false;
+  // What was cut off was so along the wrong axis; that it can be read is known.
+  readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_);
   cloud_from_found_camera_ = findCamera(cloud_);
   if (cloud_from_found_camera_) {
     cloud_.move(cloud_from_found_camera_->inverse(), range);
-    return true;
+  } else {
+    readCloud(message, range, {params().use_cloud_normals, with_labels}, cloud_);
   }
-  readCloud(message, range, {params().use_cloud_normals, with_labels}, cloud_);
-  return false;
 }
 
 PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, bool with_labels,
@@ -100,15 +99,15 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   has_cloud_ = problem_.empty();
   cloud_from_found_camera_.reset();
   const bool from_image = !sensor_from_cloud && place == CameraPlace::from_image;
-  const bool found_camera = has_cloud_ && from_image && lookForCamera(message, with_labels);
+  if (has_cloud_ && from_image) lookForCamera(message, with_labels);
   if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
   const Detections& detected = has_cloud_ ? detect() : kRejected;
-  if (found_camera) {
+  if (cloud_from_found_camera_) {
     in_frame_of_cloud_ = detected;
     transformDetections(*cloud_from_found_camera_, in_frame_of_cloud_);
   }
-  const Detections& detections = found_camera ? in_frame_of_cloud_ : detected;
+  const Detections& detections = cloud_from_found_camera_ ? in_frame_of_cloud_ : detected;
   status_ = detections.status;
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);

@@ -93,7 +93,7 @@ class FramePipeline {
   Detector makeDetector(const Params& params);
   void stageDone(const char* stage);
   void resetGovernor();
-  bool lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels);
+  void lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels);
   const Detections& detect();
   std::string problemOf(const Detections& detections) const;
 
