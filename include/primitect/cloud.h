@@ -10,21 +10,9 @@
 #include <limits>
 #include <vector>
 
+#include "primitect/depth_range.h"
+
 namespace primitect {
-
-/// Which depths count, along z of the sensor's optical frame, in metres; a bound of 0 is off.
-struct DepthRange {
-  float min = 0.0f;
-  float max = 0.0f;
-
-  /// Written so that NaN fails (REP 117).
-  bool contains(float z) const { return (min <= 0.0f || min <= z) && (max <= 0.0f || z <= max); }
-
-  /// A bound is less than margin (m) away from this depth, or before it.
-  bool endsWithin(double margin, double z) const {
-    return (max > 0.0f && z > max - margin) || (min > 0.0f && z < min + margin);
-  }
-};
 
 /// Points of one frame, in metres. A missing point is NaN in x, y and z, with the sign bit of z where it lay beyond the
 /// far bound of the depth range; a missing normal is NaN in nx, ny and nz.

@@ -63,13 +63,10 @@ SeenPoints withoutFarEnds(const Vec3& axis, SeenPoints points) {
     for (const float height : heights) ++counts[pieces.at(height)];
     const Part left = withoutFarEnds(counts, count);
     if (left.begin == 0 && left.end == kPieces) break;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
+    points.keep([&](std::size_t k) {
       const std::size_t piece = pieces.at(heights[k]);
-      kept += piece >= left.begin && piece < left.end ? 1 : 0;
-    }
-    for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
+      return piece >= left.begin && piece < left.end;
+    });
   }
   return points;
 }

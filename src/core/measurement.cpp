@@ -30,14 +30,10 @@
 
 namespace primitect {
 
-DepthRange rangeOf(const Params& params) {
-  return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
-}
-
 namespace {
 
 /// Those of the points that lie on this part, or beside it by the noise.
-SeenPoints within(const ObservedPart& part, const SeenPoints& points, const NoiseModel& noise) {
+SeenPoints within(const ObservedPart& part, SeenPoints points, const NoiseModel& noise) {
   const std::size_t count = points.size();
   const Eigen::Vector3f origin = points.origin.cast<float>();
   List<float> x(count), y(count), z(count), depth(count), allowed(count);
@@ -46,16 +42,8 @@ SeenPoints within(const ObservedPart& part, const SeenPoints& points, const Nois
   }
   kernels::loops().depths(part.view(), x.data(), y.data(), z.data(), count, depth.data());
   kernels::loops().tolerances(flattened(noise, kInlierDeviations), z.data(), count, allowed.data());
-  SeenPoints seen;
-  seen.origin = points.origin;
-  for (List<float>* values : {&seen.x, &seen.y, &seen.z}) values->resize(count);
-  std::size_t held = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    seen.x[held] = points.x[k], seen.y[held] = points.y[k], seen.z[held] = points.z[k];
-    held += depth[k] >= -allowed[k] ? 1 : 0;
-  }
-  for (List<float>* values : {&seen.x, &seen.y, &seen.z}) values->resize(held);
-  return seen;
+  points.keep([&](std::size_t k) { return depth[k] >= -allowed[k]; });
+  return points;
 }
 
 /// How far some of at least one point are off a shape: the mean of squared distances in three deviations of the noise,
@@ -83,7 +71,7 @@ Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params
       tolerated_(noise.tolerated),
       noise_(noise.full),
       limits_(limits),
-      range_(rangeOf(params)),
+      range_(depthRangeOf(params)),
       sigma_(noise.full),
       truncation_(cloud, rays, range_, sigma_) {}
 

@@ -21,9 +21,6 @@
 
 namespace primitect {
 
-/// Points at other depths are missing.
-DepthRange rangeOf(const Params& params);
-
 /// What tells which points count where a shape is looked for, and what they are fitted by; see toleratedScale().
 struct MeasurementNoise {
   NoiseModel tolerated, full;

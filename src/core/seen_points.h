@@ -43,6 +43,17 @@ struct SeenPoints {
     }
   }
 
+  /// Of all points those number k for which this is true, in their order.
+  template <class IsKept>
+  void keep(const IsKept& is_kept) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      x[kept] = x[k], y[kept] = y[k], z[kept] = z[k];
+      kept += is_kept(k) ? 1 : 0;
+    }
+    for (List<float>* values : {&x, &y, &z}) values->resize(kept);
+  }
+
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
   Vec3 point(std::size_t i) const { return origin + Vec3(x[i], y[i], z[i]); }

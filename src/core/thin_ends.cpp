@@ -47,13 +47,8 @@ SeenPoints withoutThinEnds(const Cylinder& cylinder, SeenPoints points) {
     List<float> heights(points.size());
     heightsAlong(cylinder.axis, points.x.data(), points.y.data(), points.z.data(), points.size(), heights.data());
     const FloatRange left = withoutThinEnds(heights);
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      points.x[kept] = points.x[k], points.y[kept] = points.y[k], points.z[kept] = points.z[k];
-      kept += heights[k] >= left.low && heights[k] <= left.high ? 1 : 0;
-    }
-    if (kept == points.size()) break;
-    for (List<float>* values : {&points.x, &points.y, &points.z}) values->resize(kept);
+    points.keep([&](std::size_t k) { return heights[k] >= left.low && heights[k] <= left.high; });
+    if (points.size() == heights.size()) break;
   }
   return points;
 }

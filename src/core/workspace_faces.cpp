@@ -47,7 +47,7 @@ bool Detector::Workspace::endsBeforeTheBound(std::size_t plane) const {
   const auto byDepth = [&cloud](std::uint32_t a, std::uint32_t b) { return cloud.z[a] < cloud.z[b]; };
   const auto reaches = [&](std::uint32_t i) {
     const Vec3 point = cloud.point(i);
-    return rangeOf(params).endsWithin(kDeviations * verification.noise().at(point), point.z());
+    return depthRangeOf(params).endsWithin(kDeviations * verification.noise().at(point), point.z());
   };
   const auto [nearest, farthest] = std::minmax_element(index.begin(), index.end(), byDepth);
   return !reaches(*nearest) && !reaches(*farthest);

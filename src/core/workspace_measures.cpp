@@ -199,7 +199,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   findPoints(whole, rays);
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-  const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), rangeOf(params));
+  const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), depthRangeOf(params));
   const MeasurementNoise noise = {verification.noise(), verification.fullNoise()};
   Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   List<std::size_t> left;

@@ -77,7 +77,7 @@ bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t o
 void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& rays, List<LabelRun>& runs) {
   if (!depth_camera || !rays.known) return;
   const PointNoise sigma(verification.fullNoise());
-  const DepthRange range = rangeOf(params);
+  const DepthRange range = depthRangeOf(params);
   bool any = false;
   for (std::size_t k = 0, count = result.items.size(); k < count; ++k) {
     if (!kept[k] || !hasAxis(kindOf(result.items[k].shape))) continue;

@@ -72,6 +72,16 @@ Json refusalsJson(const Refusals& refusals) {
   return json;
 }
 
+Json sensorJson(const FileReport& report) {
+  if (!report.sensor) return nullptr;
+  const Eigen::Quaterniond& turn = report.sensor->orientation;
+  Json json;
+  json["position"] = vectorJson(report.sensor->position);
+  json["orientation"] = Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
+  json["from"] = report.found_sensor ? "image" : "option";
+  return json;
+}
+
 Json timingJson(const Timing& timing) {
   Json json = Json::object();
   for (const auto& [stage, milliseconds] : timing) json[stage] = milliseconds;
@@ -95,6 +105,7 @@ Json fileJson(const FileReport& report) {
   json["scene_diameter"] = found.scene_diameter;
   json["image_noise"] = found.image_noise;
   json["seen_from_origin"] = found.seen_from_origin;
+  json["sensor"] = sensorJson(report);
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = Json::array();
   for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/sensor_pose.h"
 #include "primitect/primitives.h"
 
 namespace primitect::io {
@@ -20,6 +21,8 @@ struct FileReport {
   std::string file;
   std::string error;  ///< not empty: the file could not be read, nothing else holds
   Detections detections;
+  std::optional<SensorPose> sensor;  ///< where it is not at the origin along z
+  bool found_sensor = false;         ///< the image tells it
   std::optional<double> effort;  ///< with max_latency: the share of the samples that was drawn at each draw
   Timing timing_ms;              ///< with several runs: the medians
   int repeats = 1;
@@ -27,8 +30,9 @@ struct FileReport {
 };
 
 /// One JSON object, ends with a newline:
-/// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise",
-/// "refused": {reason: count}, "primitives": [...], "timing_ms": {...}}. Metres, radians. What no stage has filled is
+/// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise", "seen_from_origin",
+/// "sensor": {"position", "orientation", "from"}, "refused": {reason: count}, "primitives": [...], "timing_ms": {...}}.
+/// Metres, radians. What no stage has filled is
 /// null, as is the rival of a primitive that has none. With max_latency also "effort", the share of the samples. A file
 /// that could not be read: {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and
 /// "timing_max_ms".

@@ -101,6 +101,12 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
   status.add("seen from the origin", yesOrNo(view_.seen_from_origin));
+  const char* const camera = "camera that a moved image tells, m";
+  if (const auto& at = view_.found_camera) {
+    status.addf(camera, "%.3f %.3f %.3f", at->x(), at->y(), at->z());
+  } else {
+    status.add(camera, "none");
+  }
   const char* const noise = "noise, times structured light's";
   view_.image_noise > 0.0 ? status.addf(noise, "%.2f", view_.image_noise) : status.add(noise, "unknown");
 }

@@ -112,7 +112,8 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   track(message);
   pipeline_->times().stageDone("message");
   message.processing_time = static_cast<float>(pipeline_->times().end());
-  const FrameView view = {pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway(), pipeline_->imageNoise()};
+  FrameView view = {pipeline_->seenFromOrigin(), pipeline_->normalsFaceAway(), pipeline_->imageNoise(), std::nullopt};
+  if (pipeline_->foundCamera()) view.found_camera = pipeline_->foundCamera()->translation();
   diagnostics_->frameDone(message, pipeline_->refusals(), view, problem);
   publish(message);
   pipeline_->published();

@@ -24,10 +24,6 @@ std::string depthRangeText(double min_depth, double max_depth) {
   return "between " + metres("min_depth", min_depth) + " and " + metres("max_depth", max_depth);
 }
 
-DepthRange rangeOf(const Params& params) {
-  return {static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
-}
-
 Detections nothing(Status why) {
   Detections result;
   result.status = why;
@@ -78,7 +74,7 @@ void FramePipeline::published() {
 /// Leaves the cloud before its camera, cut, where it is an image that was moved.
 void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
   if (!isMovedImage(cloud_)) return;
-  const DepthRange range = rangeOf(params());
+  const DepthRange range = depthRangeOf(params());
   // What was cut off was so along the wrong axis; that it can be read is known.
   readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_);
   cloud_from_found_camera_ = findCamera(cloud_);
@@ -92,7 +88,7 @@ void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool 
 PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, bool with_labels,
                                        const std::optional<Eigen::Isometry3d>& sensor_from_cloud, CameraPlace place) {
   static const Detections kRejected = nothing(Status::rejected_input);
-  const DepthRange range = rangeOf(params());
+  const DepthRange range = depthRangeOf(params());
   // How many points of a moved cloud are within the range, and enough, shows when it was moved.
   const Wanted wanted = {params().use_cloud_normals, with_labels || sensor_from_cloud};
   problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, wanted, cloud_);

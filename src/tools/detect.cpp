@@ -78,6 +78,8 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   tools::Stopwatch reading;
   const tools::DetectInput input = tools::readInput(options, report.file);
   report.timing_ms.emplace_back("read", reading.lapMs());
+  report.sensor = input.sensor;
+  report.found_sensor = input.found_sensor;
   primitect::Detector detector(input.params);
   const double bound = input.params.max_latency;
   if (bound > 0.0 && !governor) governor.emplace(bound, primitect::leastShare(input.params));

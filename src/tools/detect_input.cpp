@@ -35,7 +35,7 @@ DetectInput readInput(const DetectOptions& options, const std::string& path) {
   input.sensor = options.sensor;
   const Cloud& points = input.file.cloud;
   input.params = options.params.paramsFor(points.organized() || input.file.intrinsics, points.hasNormals());
-  input.range = {static_cast<float>(input.params.min_depth), static_cast<float>(input.params.max_depth)};
+  input.range = depthRangeOf(input.params);
   if (input.sensor) {
     moveToSensor(*input.sensor, input);
   } else {

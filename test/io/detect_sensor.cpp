@@ -105,6 +105,10 @@ TEST_F(DetectSensor, WithoutItAnImageTellsWhereItsCameraWas) {
   const std::string used = out.substr(option, out.find(" is used", option) - option);
   const Json found = runOrdered(in_robot), again = runOrdered(in_robot + " " + used);
   EXPECT_EQ(found["seen_from_origin"], true);
+  EXPECT_EQ(found["sensor"]["from"], "image");
+  EXPECT_LT((vectorOf(found["sensor"]["position"]) - kRobotFromCamera.translation()).norm(), 0.005);
+  EXPECT_EQ(again["sensor"]["from"], "option");
+  EXPECT_TRUE(runOrdered(in_camera)["sensor"].is_null());
   EXPECT_GE(found["primitives"].size(), 2u);
   ASSERT_EQ(found["primitives"].size(), again["primitives"].size()) << used;
   const Json told = runOrdered(in_robot + sensor);

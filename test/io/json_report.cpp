@@ -81,6 +81,18 @@ TEST(JsonReport, SaysHowMuchWasReadAndHowLongItTook) {
   EXPECT_FALSE(json.contains("repeats"));
 }
 
+TEST(JsonReport, SaysWhereTheSensorWasAndHowThatIsKnown) {
+  FileReport report = fourKinds();
+  EXPECT_TRUE(test::parsedJson(reportJson(report)).at("sensor").is_null());
+  report.sensor = SensorPose{{1, 2, 3}, Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5)};
+  const Json given = test::parsedJson(reportJson(report))["sensor"];
+  EXPECT_EQ(given["position"], kPoint);
+  EXPECT_EQ(given["orientation"], Json({0.5, -0.5, 0.5, 0.5})) << "x y z w";
+  EXPECT_EQ(given["from"], "option");
+  report.found_sensor = true;
+  EXPECT_EQ(test::parsedJson(reportJson(report))["sensor"]["from"], "image");
+}
+
 TEST(JsonReport, LeavesUnknownFieldsNull) {
   const Json plane = test::parsedJson(reportJson(fourKinds()))["primitives"][0];
   for (const char* key : {"confidence", "coverage", "radius_stddev", "half_angle_stddev", "covariance", "truncated"}) {

@@ -78,6 +78,13 @@ def found(detector, make_message):
     return answers[-1] if wait_for(ok) else None
 
 
+def camera_told(diagnostics):
+    """In the last words on the input of the detector that has no sensor_frame; None before."""
+    told = [v.value for m in diagnostics.all() for s in m.status if s.name == "without: input"
+            for v in s.values if v.key == "camera that a moved image tells, m"]
+    return told[-1] if told else None
+
+
 class SensorFrame(unittest.TestCase):
     def test_says_that_there_is_no_transform_and_finds_what_the_camera_saw_when_there_is(self):
         detector, log = Detector(), Collector("/rosout", Log)
@@ -144,7 +151,7 @@ class SensorFrame(unittest.TestCase):
     def test_without_it_an_image_tells_where_its_camera_was(self):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
         labels, normals = Collector("/without/labels", PointCloud2), Collector("/without/normals", PointCloud2)
-        markers = Collector("/without/markers", MarkerArray)
+        markers, diagnostics = Collector("/without/markers", MarkerArray), Collector("/diagnostics", DiagnosticArray)
         self.assertTrue(detector.ready())
         self.assertTrue(wait_for(lambda: all(m.connected() for m in (labels, normals, markers))))
         answers = []
@@ -154,6 +161,9 @@ class SensorFrame(unittest.TestCase):
             return [m for m in log.all() if m.name == "/without" and "rows and columns tell" in m.msg]
         self.assertTrue(wait_for(told))
         self.check_primitives(answers[-1])
+        self.assertTrue(wait_for(lambda: camera_told(diagnostics) not in (None, "none")))
+        for value, true in zip(camera_told(diagnostics).split(), (0.0, 0.0, HEIGHT)):
+            self.assertAlmostEqual(float(value), true, delta=0.005)
         stamp = answers[-1].header.stamp
         self.assertTrue(wait_for(lambda: all(m.last() and m.last().header.stamp == stamp for m in (labels, normals))))
         self.assertEqual((labels.last().header.frame_id, normals.last().header.frame_id), ("base", "base"))
@@ -185,6 +195,7 @@ class SensorFrame(unittest.TestCase):
             return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message and
                                  "no" in [v.value for v in s.values if v.key == "seen from the origin"]]
         self.assertTrue(wait_for(said))
+        self.assertEqual(camera_told(diagnostics), "none")
 
 
 if __name__ == "__main__":
