@@ -30,7 +30,8 @@ struct Track {
 };
 
 /// Finds the things of the last frames again: the nearest ones of the same kind, position, direction and size, each at
-/// most once. Cylinders and cones, which noise may exchange, continue each other.
+/// most once. Cylinders and cones, which noise may exchange, continue each other. The last two sightings of a thing
+/// count, or one that is off would end its track.
 class Tracker {
  public:
   /// patience (s): what was not seen for longer is a new thing.
@@ -47,8 +48,8 @@ class Tracker {
  private:
   struct Thing {
     Track track;
-    Sighting last;
-    double seen = 0.0;  ///< s
+    Sighting last, before;                 ///< the last two
+    double seen = 0.0, seen_before = 0.0;  ///< s
   };
   /// A thing of before that may be a sighting.
   struct Match {

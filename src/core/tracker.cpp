@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -92,8 +93,12 @@ void Tracker::findMatches(const std::vector<Sighting>& sightings, double seconds
   matches_.clear();
   for (std::size_t t = 0; t < things_.size(); ++t) {
     for (std::size_t s = 0; s < sightings.size(); ++s) {
-      const double since = std::max(0.0, seconds - things_[t].seen);
-      if (const auto cost = costOf(things_[t].last, sightings[s], since)) matches_.push_back({*cost, t, s});
+      const Thing& thing = things_[t];
+      const auto from_last = costOf(thing.last, sightings[s], std::max(0.0, seconds - thing.seen));
+      const auto from_before = costOf(thing.before, sightings[s], std::max(0.0, seconds - thing.seen_before));
+      if (!from_last && !from_before) continue;
+      constexpr double kNone = std::numeric_limits<double>::infinity();
+      matches_.push_back({std::min(from_last.value_or(kNone), from_before.value_or(kNone)), t, s});
     }
   }
   std::sort(matches_.begin(), matches_.end(), [](const Match& a, const Match& b) {
@@ -112,6 +117,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     if (taken_[match.thing] || tracks_[match.sighting].id != 0) continue;
     taken_[match.thing] = true;
     Thing& thing = things_[match.thing];
+    thing.before = thing.last, thing.seen_before = thing.seen;
     thing.last = sightings[match.sighting];
     thing.seen = seconds;
     tracks_[match.sighting] = thing.track;
@@ -119,7 +125,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
   for (std::size_t s = 0; s < sightings.size(); ++s) {
     if (tracks_[s].id != 0) continue;
     tracks_[s].id = next_id_++;
-    things_.push_back({tracks_[s], sightings[s], seconds});
+    things_.push_back({tracks_[s], sightings[s], sightings[s], seconds, seconds});
   }
   return tracks_;
 }

@@ -55,6 +55,16 @@ TEST(Tracker, FollowsWhatMovesAndWhatNoiseMoves) {
   }
 }
 
+TEST(Tracker, ForgetsNoThingForOneSightingThatIsOff) {
+  Tracker tracker;
+  const Sighting good = ball({0, 0, 1}, 0.05), off = ball({0.04, 0, 1}, 0.064), good_again = ball({-0.03, 0, 1}, 0.047);
+  EXPECT_EQ(idsOf(tracker.update({good}, 0.0)), Ids{1});
+  EXPECT_EQ(idsOf(tracker.update({off}, kFrame)), Ids{1});
+  EXPECT_EQ(idsOf(tracker.update({good_again}, 2 * kFrame)), Ids{1}) << "as the one before the last";
+  EXPECT_EQ(idsOf(tracker.update({off}, 3 * kFrame)), Ids{1});
+  EXPECT_EQ(idsOf(tracker.update({good_again}, 4 * kFrame)), Ids{1});
+}
+
 TEST(Tracker, CountsFramesSinceTheFirstAlsoThoseWithoutIt) {
   Tracker tracker;
   EXPECT_EQ(tracker.update({ball({0, 0, 1})}, 0.0)[0].age, 0u);
