@@ -37,9 +37,9 @@ struct FrameCounters {
 
 /// How the last cloud was seen.
 struct FrameView {
-  std::optional<bool> seen_from_origin;  ///< by a sensor there that looks along z; empty: unknown
-  bool normals_face_away = false;        ///< most of those that it brought, from that sensor
-  double image_noise = 0.0;              ///< times structured light's; 0: not measured
+  std::optional<bool> seen_from_origin;         ///< by a sensor there that looks along z; empty: unknown
+  bool normals_face_away = false;               ///< most of those that it brought, from that sensor
+  double image_noise = 0.0;                     ///< times structured light's; 0: not measured
   std::optional<Eigen::Vector3d> found_camera;  ///< of an image that was moved to another frame, in that (m)
 };
 

@@ -188,7 +188,8 @@ std::string typeOf(const std::string& topic) {
 
 std::string whySilent(const std::string& topic, std::uint32_t publishers) {
   if (publishers > 0) {
-    return std::to_string(publishers) + " could publish it; one that makes it of a depth image needs camera_info, too";
+    return "of its " + std::to_string(publishers) + (publishers == 1 ? " publisher" : " publishers") +
+           " none sent any; one that makes it of a depth image needs camera_info, too";
   }
   const std::string type = typeOf(topic), wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
   if (type.empty() || type == wanted)

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "cloud_reader.h"
 #include "output_clouds.h"
@@ -22,6 +24,19 @@ std::string metres(const char* name, double value) {
 
 std::string depthRangeText(double min_depth, double max_depth) {
   return "between " + metres("min_depth", min_depth) + " and " + metres("max_depth", max_depth);
+}
+
+/// Where the measured points of a cloud are that no range has cut.
+std::string measuredText(const Cloud& cloud) {
+  constexpr float kMillimetres = 100.0f;  // m; no depth camera sees so far
+  if (cloud.valid_count == 0) return "none of its points is measured";
+  // NaN loses every comparison against a number that stands first.
+  float nearest = std::numeric_limits<float>::infinity(), farthest = -nearest;
+  for (const float z : cloud.z) nearest = std::min(nearest, z), farthest = std::max(farthest, z);
+  std::ostringstream text;
+  text << std::setprecision(4) << "those measured are at depths from " << nearest << " m to " << farthest << " m";
+  if (nearest > kMillimetres) text << ": are they millimetres?";
+  return text.str();
 }
 
 Detections nothing(Status why) {
@@ -107,6 +122,8 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   status_ = detections.status;
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
+  if (has_cloud_ && detections.points_used < kFewestPoints)
+    problem_ += "; " + whereMeasured(message, sensor_from_cloud);
   PrimitiveArray& written = message_writer_.write(detections, message.header);
   written.points_in = static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{message.width} * message.height,
                                                                          std::numeric_limits<std::uint32_t>::max()));
@@ -136,6 +153,16 @@ std::string FramePipeline::problemOf(const Detections& detections) const {
   return used + " of " + std::to_string(detections.points_in) + " points are measured and " +
          depthRangeText(params().min_depth, params().max_depth) + "; expected at least " +
          std::to_string(kFewestPoints);
+}
+
+/// Reads the message once more, whole: only where nothing was done with it.
+std::string FramePipeline::whereMeasured(const sensor_msgs::PointCloud2& message,
+                                         const std::optional<Eigen::Isometry3d>& sensor_from_cloud) const {
+  Cloud whole;
+  readCloud(message, DepthRange(), {false, true}, whole);
+  if (sensor_from_cloud) whole.move(*sensor_from_cloud, DepthRange());
+  if (cloud_from_found_camera_) whole.move(cloud_from_found_camera_->inverse(), DepthRange());
+  return measuredText(whole);
 }
 
 sensor_msgs::PointCloud2 FramePipeline::labels(const std_msgs::Header& header) {

@@ -96,6 +96,8 @@ class FramePipeline {
   void lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels);
   const Detections& detect();
   std::string problemOf(const Detections& detections) const;
+  std::string whereMeasured(const sensor_msgs::PointCloud2& message,
+                            const std::optional<Eigen::Isometry3d>& sensor_from_cloud) const;
 
   StageTimes times_;
   std::function<void(const char*)> stage_done_;

@@ -47,8 +47,10 @@ std::string problemOf(const PointCloud2& message, std::uint8_t status, const Par
 }
 
 TEST(FramePipeline, SaysWhatACloudWithoutMeasuredPointsLacks) {
-  EXPECT_EQ(problemOf(missing(), PrimitiveArray::EMPTY_INPUT),
-            "0 of 12 points are measured and between min_depth (0.1 m) and max_depth (2.0 m); expected at least 16");
+  EXPECT_EQ(
+      problemOf(missing(), PrimitiveArray::EMPTY_INPUT),
+      "0 of 12 points are measured and between min_depth (0.1 m) and max_depth (2.0 m); expected at least 16; none of "
+      "its points is measured");
   EXPECT_NE(problemOf(PointCloud2(), PrimitiveArray::EMPTY_INPUT).find("0 of 0 points"), std::string::npos);
 }
 
@@ -56,8 +58,21 @@ TEST(FramePipeline, SaysWhatTooFewPointsLack) {
   Params params;
   params.min_depth = 0.0;
   params.max_depth = 3.0;
-  EXPECT_EQ(problemOf(measured(15), PrimitiveArray::TOO_FEW_POINTS, params),
-            "15 of 40 points are measured and between min_depth (off) and max_depth (3.0 m); expected at least 16");
+  EXPECT_EQ(
+      problemOf(measured(15), PrimitiveArray::TOO_FEW_POINTS, params),
+      "15 of 40 points are measured and between min_depth (off) and max_depth (3.0 m); expected at least 16; those "
+      "measured are at depths from 1 m to 1 m");
+}
+
+TEST(FramePipeline, AsksForMillimetresWhereAllPointsAreTooFarForMetres) {
+  PointCloud2 message = measured(40);
+  for (std::uint32_t i = 0; i < 40; ++i) test::put(message, i / 8, i % 8, 8, 1000.0f + static_cast<float>(i));
+  const std::string problem = problemOf(message, PrimitiveArray::EMPTY_INPUT);
+  EXPECT_NE(problem.find("depths from 1000 m to 1039 m: are they millimetres?"), std::string::npos) << problem;
+  for (std::uint32_t i = 0; i < 40; ++i) test::put(message, i / 8, i % 8, 8, 3.0f);
+  const std::string far = problemOf(message, PrimitiveArray::EMPTY_INPUT);
+  EXPECT_NE(far.find("depths from 3 m to 3 m"), std::string::npos) << far;
+  EXPECT_EQ(far.find("millimetres"), std::string::npos) << far;
 }
 
 TEST(FramePipeline, SearchesTheFewestPointsThatItNames) { EXPECT_EQ(problemOf(measured(16), PrimitiveArray::OK), ""); }
