@@ -57,6 +57,12 @@ List<std::size_t> planesFirst(const std::vector<Detection>& items) {
   return order;
 }
 
+/// By what was seen of it: a cone has no radius of its own.
+bool isTooWideCone(const Detection& detection, const Params& params) {
+  return kindOf(detection.shape) == Kind::cone && params.max_radius > 0.0 &&
+         detection.extent.radius > params.max_radius;
+}
+
 }  // namespace
 
 /// What the measures are taken from: the cloud, or of a large list a part of it.
@@ -199,13 +205,16 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   findPoints(whole, rays);
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
-  const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(), depthRangeOf(params));
+  const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(),
+                          depthRangeOf(params));
   const MeasurementNoise noise = {verification.noise(), verification.fullNoise()};
   Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   List<std::size_t> left;
   for (const LabelledPoints& of_item : points) left.push_back(of_item.all);
   const List<bool> enough = areEnough(left, whole);  // and none of what was not kept
-  const auto within = [this](std::size_t k) { return !isLine(result.items[k], verification.noise()); };
+  const auto within = [this](std::size_t k) {
+    return !isLine(result.items[k], verification.noise()) && !isTooWideCone(result.items[k], params);
+  };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
   for (const std::size_t k : planesFirst(result.items)) {
     if (!enough[k]) continue;

@@ -21,7 +21,8 @@ using test::kDegree;
 Eigen::Isometry3d tableAt(double distance) { return test::tableBeforeCamera(distance, 35.0 * kDegree); }
 
 /// Three cups of 12 cm on a table, 8 cm wide at half of their height; every other one stands on its rim.
-std::vector<Detection> cupsOf(double half_angle_deg, std::uint64_t seed, double size = 1.0, double distance = 0.8) {
+std::vector<Detection> cupsOf(double half_angle_deg, std::uint64_t seed, double size = 1.0, double distance = 0.8,
+                              const Params& params = Params()) {
   const double radius = 0.04 * size, height = 0.12 * size;
   const Eigen::Isometry3d table = tableAt(distance);
   const double half_angle = half_angle_deg * kDegree;
@@ -35,7 +36,7 @@ std::vector<Detection> cupsOf(double half_angle_deg, std::uint64_t seed, double 
     world.add("cup" + std::to_string(k), synthetic::Frustum{half_angle, begin, end}, place);
   }
   std::vector<Detection> cups;
-  Detector detector{Params()};
+  Detector detector{params};
   for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed)).items) {
     if (hasAxis(kindOf(item.shape))) cups.push_back(item);
   }
@@ -70,6 +71,16 @@ void expectCylinders(double half_angle_deg, const std::optional<Kind>& rival) {
       EXPECT_EQ(kindOf(cup.shape), Kind::cylinder);
       EXPECT_EQ(cup.rival, rival);
     }
+  }
+}
+
+/// Their wide ends have 48 mm.
+TEST(TaperedCups, AreNoConesWhereTheirWideEndIsAboveTheLargestRadius) {
+  Params params;
+  params.detect_cylinders = false;
+  for (const double max_radius : {0.052, 0.044}) {
+    params.max_radius = max_radius;
+    EXPECT_EQ(cupsOf(8.0, 1, 1.0, 0.8, params).size(), max_radius > 0.05 ? 3u : 0u) << max_radius;
   }
 }
 
