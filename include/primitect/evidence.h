@@ -7,7 +7,7 @@ namespace primitect {
 
 /// Numbers that tell a surface that ends where the shape does from a part of another surface that merely looks alike.
 struct Evidence {
-  float inliers = 0.0f;          ///< samples that the shape owns
+  float inliers = 0.0f;          ///< samples that the shape owns; in a crowded image each counts for up to two
   float gain = 0.0f;             ///< mean gain of these, at most 1: how well distances and normals fit
   float against = 0.0f;          ///< losses at samples near it that do not fit and that nothing explains, per inlier
   float runs_on = 0.0f;          ///< border where the surface runs on smoothly into nothing known, 1 = that of a disk

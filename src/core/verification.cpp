@@ -28,6 +28,7 @@ void Verification::begin(const FrameScale& scale) {
   scale_ = scale;
   noise_ = largestNoise(scale, params_);
   noise_measured_ = false;
+  weight_ = 1.0;
   samples_.clear();
   pool_.clear();
   selection_ = {};

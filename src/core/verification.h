@@ -37,6 +37,9 @@ class Verification {
   /// How many samples a shape needs at least, instead of the parameter's number.
   void setMinInliers(int count) { params_.min_inliers = count; }
 
+  /// As how many samples each speaks for a shape, until the next frame begins: then as one.
+  void weighSamples(double weight) { weight_ = weight; }
+
   /// Forgets the last frame.
   void begin(const FrameScale& scale);
 
@@ -115,6 +118,7 @@ class Verification {
   FrameScale scale_;
   NoiseModel noise_;
   bool noise_measured_ = false;
+  double weight_ = 1.0;  ///< of a sample
   Samples samples_;
   SampleGraph graph_;
   Proposer proposer_;

@@ -112,6 +112,7 @@ void Verification::assess() {
     const Hypothesis& hypothesis = pool_[segment.hypothesis];
     const Kind kind = kindOf(hypothesis.shape);
     segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
+    segment.evidence.inliers *= static_cast<float>(weight_);
     segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
     if (kind != Kind::plane) {
       const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);

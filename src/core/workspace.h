@@ -100,7 +100,8 @@ struct Detector::Workspace {
   double pixelsOfSample(const Cloud& cloud);
   Labeling::Rows rowsFor(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
-  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
+  double weightOfSample(Labeling::Rows rows, std::size_t free) const;
+  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int round);
   void measureImageNoise(const Cloud& image);
   void distrustBentParts(const List<bool>& measured);
   void measureScale();
