@@ -5,6 +5,7 @@
 
 #include <ros/master.h>
 
+#include <iomanip>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "messages.h"
@@ -163,7 +164,8 @@ void DetectorNodelet::tellFoundCamera() {
   const Eigen::Vector3d position = pipeline_->foundCamera()->translation();
   NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are images that were moved to frame '"
                                 << sensor_header_.frame_id << "': searched from where their rows and columns tell that "
-                                << "the camera was, at (" << position.transpose() << ") m; sensor_frame would say it");
+                                << "the camera was, at (" << std::fixed << std::setprecision(3) << position.transpose()
+                                << ") m; sensor_frame would say it");
 }
 
 void DetectorNodelet::warnIfHopeless() {
