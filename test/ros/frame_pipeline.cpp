@@ -61,7 +61,7 @@ TEST(FramePipeline, SaysWhatTooFewPointsLack) {
   EXPECT_EQ(
       problemOf(measured(15), PrimitiveArray::TOO_FEW_POINTS, params),
       "15 of 40 points are measured and between min_depth (off) and max_depth (3.0 m); expected at least 16; those "
-      "measured are at depths from 1 m to 1 m");
+      "measured are at depths from 1 m to 50 m");
 }
 
 TEST(FramePipeline, AsksForMillimetresWhereAllPointsAreTooFarForMetres) {
