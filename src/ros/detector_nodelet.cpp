@@ -133,6 +133,7 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
+    late_transforms_->setPatience(pipeline_->params().transform_patience);
     sensor_from_cloud = late_transforms_->lookup(sensor, source, cloud.header.stamp);
   } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
@@ -245,6 +246,7 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
   const bool something_to_move = message.status == PrimitiveArray::OK;
   if (something_to_move && frameName(target) != frameName(source)) {
     try {
+      late_transforms_->setPatience(pipeline_->params().transform_patience);
       target_from_source = late_transforms_->lookup(target, source, message.header.stamp);
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
       const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";

@@ -67,7 +67,7 @@ Eigen::Isometry3d LateTransforms::lookup(const std::string& target, const std::s
       return at(frames, stamp);
     } catch (const tf2::TransformException&) {
       if (!waits) throw;
-      if (secondsSince(begin) >= kTransformPatienceSeconds) {
+      if (secondsSince(begin) >= patience_) {
         waitedInVain(frames);
         throw;
       }

@@ -13,10 +13,9 @@
 #include <string>
 #include <utility>
 
-namespace primitect::ros_layer {
+#include "primitect/params.h"
 
-/// Drivers and localization send the transform of a stamp shortly after the cloud; longer is no jitter (s).
-constexpr double kTransformPatienceSeconds = 0.05;
+namespace primitect::ros_layer {
 
 /// So often in a row, as transforms may come more seldom than clouds; what is not there then is silent.
 constexpr int kWaitsInVain = 3;
@@ -32,11 +31,14 @@ Eigen::Isometry3d isometryOf(const geometry_msgs::Transform& transform);
 /// Of a buffer that another thread fills.
 class LateTransforms {
  public:
-  /// The buffer must outlive this.
-  explicit LateTransforms(const tf2::BufferCore& transforms) : transforms_(transforms) {}
+  /// The buffer must outlive this. patience (s): how long lookup() waits.
+  explicit LateTransforms(const tf2::BufferCore& transforms, double patience = Params().transform_patience)
+      : transforms_(transforms), patience_(patience) {}
 
-  /// target_from_source at that stamp. Waits by the steady clock, at most for kTransformPatienceSeconds, so that a
-  /// simulated time that stands still blocks nothing; and after kWaitsInVain not again until anything new is known of
+  void setPatience(double patience) { patience_ = patience; }
+
+  /// target_from_source at that stamp. Waits by the steady clock, at most as long as its patience, so that a simulated
+  /// time that stands still blocks nothing; and after kWaitsInVain not again until anything new is known of
   /// these two frames, so that clouds without a transform hold up neither other callbacks nor other nodelets.
   /// Throws what BufferCore::lookupTransform() throws when there is none by then, and what isometryOf() throws.
   Eigen::Isometry3d lookup(const std::string& target, const std::string& source, const ros::Time& stamp);
@@ -56,6 +58,7 @@ class LateTransforms {
     int times = 0;                    ///< so many in a row, with nothing new in between
   };
   const tf2::BufferCore& transforms_;
+  double patience_;  ///< s
   std::map<Frames, Wait> in_vain_;
 };
 
