@@ -48,8 +48,8 @@ class Tracker {
  private:
   struct Thing {
     Track track;
-    Sighting last, before;                 ///< the last two
-    double seen = 0.0, seen_before = 0.0;  ///< s
+    Sighting last, before;  ///< the last two
+    double seen = 0.0;      ///< s, the last one
   };
   /// A thing of before that may be a sighting.
   struct Match {

@@ -78,6 +78,13 @@ inline std::uint32_t countOf(std::uint64_t bits) {
   return static_cast<std::uint32_t>(bytesOf(bits) * 0x0101010101010101u >> 56);
 }
 
+/// How many measured points of the runs have a bit in `wanted`, one word for each run.
+inline double countWanted(const PointRuns& runs, const List<std::uint64_t>& wanted) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) count += countOf(runs.measured[k] & wanted[k]);
+  return static_cast<double>(count);
+}
+
 inline std::size_t numberOfRuns(const Cloud& cloud) {
   return (cloud.size() + kernels::kPointsPerRun - 1) / kernels::kPointsPerRun;
 }

@@ -40,16 +40,11 @@ void Sampler::keepTo(const List<std::uint64_t>& wanted) {
   for (std::size_t k = 0; k < left_.size(); ++k) free_[k] = left_[k] & wanted[k];
 }
 
-std::size_t Sampler::countFree() const {
-  std::size_t all = 0;
-  for (const std::uint64_t bits : free_) all += countOf(bits);
-  return all;
-}
-
 /// One at random of each of `count` equal parts.
 void Sampler::choose(std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  const std::uint64_t all = countFree();
+  std::uint64_t all = 0;
+  for (const std::uint64_t bits : free_) all += countOf(bits);
   chosen_.resize(std::min<std::size_t>(count, all));
   const std::uint64_t parts = chosen_.size();
   std::size_t run = 0;

@@ -23,9 +23,6 @@ class Sampler {
   /// For the next draw only points with a bit in `wanted` are free, one word for each run; see PointRuns::measured.
   void keepTo(const List<std::uint64_t>& wanted);
 
-  /// Points that the next draw is from.
-  std::size_t countFree() const;
-
   /// Draws min(count, free points) samples: one at random of each of count equal parts of the free points in the
   /// cloud's order, then sorted along a curve through space. Normals are left missing.
   void draw(std::size_t count, std::uint64_t seed, Samples& samples);

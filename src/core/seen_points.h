@@ -43,7 +43,8 @@ struct SeenPoints {
     }
   }
 
-  /// Of all points those number k for which this is true, in their order.
+  /// Of all points those number k for which is_kept(k) is true, in their order. It is asked in between: it must not look
+  /// at these points.
   template <class IsKept>
   void keep(const IsKept& is_kept) {
     std::size_t kept = 0;

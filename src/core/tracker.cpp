@@ -94,8 +94,10 @@ void Tracker::findMatches(const std::vector<Sighting>& sightings, double seconds
   for (std::size_t t = 0; t < things_.size(); ++t) {
     for (std::size_t s = 0; s < sightings.size(); ++s) {
       const Thing& thing = things_[t];
-      const auto from_last = costOf(thing.last, sightings[s], std::max(0.0, seconds - thing.seen));
-      const auto from_before = costOf(thing.before, sightings[s], std::max(0.0, seconds - thing.seen_before));
+      // As if both were of that time: one that is older would reach farther, and seem nearer.
+      const double since = std::max(0.0, seconds - thing.seen);
+      const auto from_last = costOf(thing.last, sightings[s], since);
+      const auto from_before = costOf(thing.before, sightings[s], since);
       if (!from_last && !from_before) continue;
       constexpr double kNone = std::numeric_limits<double>::infinity();
       matches_.push_back({std::min(from_last.value_or(kNone), from_before.value_or(kNone)), t, s});
@@ -117,7 +119,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     if (taken_[match.thing] || tracks_[match.sighting].id != 0) continue;
     taken_[match.thing] = true;
     Thing& thing = things_[match.thing];
-    thing.before = thing.last, thing.seen_before = thing.seen;
+    thing.before = thing.last;
     thing.last = sightings[match.sighting];
     thing.seen = seconds;
     tracks_[match.sighting] = thing.track;
@@ -125,7 +127,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
   for (std::size_t s = 0; s < sightings.size(); ++s) {
     if (tracks_[s].id != 0) continue;
     tracks_[s].id = next_id_++;
-    things_.push_back({tracks_[s], sightings[s], sightings[s], seconds, seconds});
+    things_.push_back({tracks_[s], sightings[s], sightings[s], seconds});
   }
   return tracks_;
 }

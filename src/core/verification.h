@@ -37,8 +37,8 @@ class Verification {
   /// How many samples a shape needs at least, instead of the parameter's number.
   void setMinInliers(int count) { params_.min_inliers = count; }
 
-  /// As how many samples each speaks for a shape, until the next frame begins: then as one.
-  void weighSamples(double weight) { weight_ = weight; }
+  /// As how many samples each speaks for a shape that is not of the first of several draws; until the next frame begins.
+  void weighLaterDraws(double weight) { weight_ = weight; }
 
   /// Forgets the last frame.
   void begin(const FrameScale& scale);
@@ -118,7 +118,7 @@ class Verification {
   FrameScale scale_;
   NoiseModel noise_;
   bool noise_measured_ = false;
-  double weight_ = 1.0;  ///< of a sample
+  double weight_ = 1.0;  ///< of a sample of later draws
   Samples samples_;
   SampleGraph graph_;
   Proposer proposer_;

@@ -12,9 +12,12 @@
 #include "core/extent.h"
 #include "core/image_noise.h"
 #include "core/residuals.h"
+#include "core/sample_weight.h"
 
 namespace primitect {
 namespace {
+
+constexpr double kOfDepthCameras = 0.75;  // of the samples that other clouds get
 
 Status statusOf(const Cloud& cloud) {
   if (cloud.valid_count == 0) return Status::empty_input;
@@ -112,7 +115,6 @@ void Detector::Workspace::forgetResult() {
 /// planes, which the closer look leaves out, hold most of their points. Measured on 240 tables: of what is found .4 %
 /// more is right, .2 % less is found, in a sixth less time.
 std::size_t Detector::Workspace::atThisEffort(int count) const {
-  constexpr double kOfDepthCameras = 0.75;
   const double share = std::max(effort->share * (depth_camera ? kOfDepthCameras : 1.0), leastShare(params));
   return static_cast<std::size_t>(std::ceil(share * count));
 }
@@ -160,35 +162,19 @@ Labeling::Rows Detector::Workspace::rowsFor(const Cloud& cloud) {
   return far_apart && rows ? Labeling::Rows::every_second : Labeling::Rows::all;
 }
 
-/// As how many samples one of the closer look speaks for a shape. Confidence was fitted to tables of which it drew one
-/// of some ten pixels. In a crowded image a thing is as large, but gets fewer: of tables on which two or three
-/// recordings were put together (not part of this), 97 to 98 % of the things are found instead of 94 to 97. From 10
-/// pixels on instead of 12, a recorded checkerboard, mirrored, scaled and with noise, carries a curved shape half as
-/// often again.
-double Detector::Workspace::weightOfSample(Labeling::Rows rows, std::size_t free) const {
-  constexpr double kUsualPixels = 12.0, kMost = 2.0;
-  if (!depth_camera || samples.size() == 0) return 1.0;
-  const double pixels = (rows == Labeling::Rows::every_second ? 2.0 : 1.0) * static_cast<double>(free);
-  return std::clamp(pixels / static_cast<double>(samples.size()) / kUsualPixels, 1.0, kMost);
-}
-
 /// Draws samples from the points that none of these explains.
-void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>& explaining, int round) {
+void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round) {
   // Wider than what makes an inlier: the outskirts of a noisy surface are no new one.
   constexpr double kOutskirts = 2.0;
   const PointRuns& runs = labeling.someRuns();
-  const Labeling::Rows rows = rowsFor(cloud);
   if (round == 0) {
     sampler.begin(cloud, runs);
   } else {
-    labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs, rows, unexplained);
+    labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs, rowsFor(cloud), unexplained);
     sampler.keepTo(unexplained);
   }
-  const bool closer = round == params.rounds;
-  const std::size_t free = closer ? sampler.countFree() : 0;
-  const std::size_t wanted = atThisEffort(closer ? params.closer_samples : params.samples);
-  sampler.draw(std::min(wanted, mostSamples(cloud)), static_cast<std::uint64_t>(params.seed) + round, samples);
-  if (closer) verification.weighSamples(weightOfSample(rows, free));
+  sampler.draw(std::min(atThisEffort(count), mostSamples(cloud)), static_cast<std::uint64_t>(params.seed) + round,
+               samples);
 }
 
 /// d_s, and what noise to expect, from the first samples.
@@ -231,7 +217,7 @@ void Detector::Workspace::measureImageNoise(const Cloud& image) {
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {
-  draw(cloud, result.items, round);
+  draw(cloud, result.items, params.samples, round);
   done("sample");
   if (round == 0) measureImageNoise(cloud);
   if (round == 0) measureScale();
@@ -289,13 +275,24 @@ void Detector::Workspace::useVerified() {
   describeSegments(verification.segments(), verification.samples());
 }
 
+/// Of the frame's full effort, and no less than the default: with fewer samples less is known. Where pixels are too few
+/// for so many, they are not crowded.
+double Detector::Workspace::weightOfCloserSamples(const Cloud& cloud) {
+  const auto usual =
+      static_cast<std::size_t>(kOfDepthCameras * std::max(params.closer_samples, Params().closer_samples));
+  if (!depth_camera || mostSamples(cloud) < usual) return 1.0;
+  const double left = countWanted(labeling.someRuns(), unexplained);
+  return sampleWeight(rowsFor(cloud) == Labeling::Rows::every_second ? 2.0 * left : left, usual);
+}
+
 void Detector::Workspace::lookCloser(const Cloud& cloud) {
   List<bool> large;
   for (const Segment& segment : verification.segments()) {
     if (isDescribed(segment)) large.push_back(verification.isLargePlane(segment));
   }
   spare_outlines.keep(result.items, [&large](std::size_t k) { return large[k]; });
-  draw(cloud, result.items, params.rounds);
+  draw(cloud, result.items, params.closer_samples, params.rounds);
+  verification.weighLaterDraws(weightOfCloserSamples(cloud));
   done("sample");
   estimateNormals(cloud, params, normal_source, samples);
   done("normals");

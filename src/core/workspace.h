@@ -100,8 +100,8 @@ struct Detector::Workspace {
   double pixelsOfSample(const Cloud& cloud);
   Labeling::Rows rowsFor(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
-  double weightOfSample(Labeling::Rows rows, std::size_t free) const;
-  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int round);
+  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
+  double weightOfCloserSamples(const Cloud& cloud);
   void measureImageNoise(const Cloud& image);
   void distrustBentParts(const List<bool>& measured);
   void measureScale();

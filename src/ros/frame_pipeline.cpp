@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include "cloud_reader.h"
+#include "io/depths_text.h"
 #include "output_clouds.h"
 #include "primitect/detector.h"
 #include "primitect/moved_image.h"
@@ -28,15 +27,9 @@ std::string depthRangeText(double min_depth, double max_depth) {
 
 /// Where the measured points of a cloud are that no range has cut.
 std::string measuredText(const Cloud& cloud) {
-  constexpr float kMillimetres = 100.0f;  // m; no depth camera sees so far
   if (cloud.valid_count == 0) return "none of its points is measured";
-  // NaN loses every comparison against a number that stands first.
-  float nearest = std::numeric_limits<float>::infinity(), farthest = -nearest;
-  for (const float z : cloud.z) nearest = std::min(nearest, z), farthest = std::max(farthest, z);
-  std::ostringstream text;
-  text << std::setprecision(4) << "those measured are at depths from " << nearest << " m to " << farthest << " m";
-  if (nearest > kMillimetres) text << ": are they millimetres?";
-  return text.str();
+  return "those measured are " + io::depthsText(cloud) +
+         (io::mayBeInMillimetres(cloud) ? ": are they millimetres?" : "");
 }
 
 Detections nothing(Status why) {

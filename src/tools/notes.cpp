@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "io/depths_text.h"
 #include "primitect/noisy_image.h"
 #include "tools/format.h"
 
@@ -12,16 +13,9 @@ namespace primitect::tools {
 namespace {
 
 /// Of an image in millimetres the range of depths leaves nothing whose size would tell.
-bool isFarImage(const Detections& found, const Cloud& seen, float far) {
-  constexpr double kNearlyAll = 0.9;
-  if (found.points_used > 0) return false;
-  const auto count = std::count_if(seen.z.begin(), seen.z.end(), [far](float z) { return z > far; });
-  return static_cast<double>(count) > kNearlyAll * seen.valid_count;
-}
-
 std::string unitsText(const Detections& found, const Cloud& seen) {
-  constexpr double kMillimetres = 100.0;  // m; no depth camera sees so far
-  if (found.scene_diameter <= kMillimetres && !isFarImage(found, seen, kMillimetres)) return "";
+  const bool nothing_left = found.points_used == 0 && io::mayBeInMillimetres(seen);
+  if (found.scene_diameter <= io::kMillimetres && !nothing_left) return "";
   return "  note: lengths are taken for metres; are they millimetres?\n";
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/depths_text.h"
 #include "io/length_text.h"
 #include "io/percent_text.h"
 #include "io/point_files.h"
@@ -101,17 +102,6 @@ std::string rangeText(const DepthRange& range) {
   return text;
 }
 
-/// "at depths from 2.7 m to 3.1 m", of the measured points.
-std::string depthsText(const Cloud& cloud) {
-  // NaN loses every comparison against a number that stands first.
-  float nearest = INFINITY, farthest = -INFINITY;
-  for (const float z : cloud.z) {
-    nearest = std::min(nearest, z);
-    farthest = std::max(farthest, z);
-  }
-  return format("at depths from %.4g m to %.4g m", nearest, farthest);
-}
-
 /// Unlike the detector, this knows whether points were not measured or cut away.
 std::string emptyText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
   const Detections& found = report.detections;
@@ -121,7 +111,7 @@ std::string emptyText(const io::FileReport& report, const Cloud& whole, const De
   const std::string by = "cut away by the depth range (" + rangeText(range) + ")";
   if (found.points_used > 0) return io::reasonText(found) + format("; %u were ", cut) + by;
   const std::string scale = io::isDepthImage(report.file) ? "; is --depth-scale that of the image?" : "";
-  return format("all %u measured points, %s, were ", cut, depthsText(whole).c_str()) + by + scale;
+  return format("all %u measured points, %s, were ", cut, io::depthsText(whole).c_str()) + by + scale;
 }
 
 }  // namespace

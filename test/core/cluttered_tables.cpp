@@ -73,31 +73,24 @@ TEST(ClutteredTable, TiltsNoTopTowardsCrumbsOfAnotherThatAreNoPlane) {
   EXPECT_LT(tiltAt(top, tableCloud(2485)), 0.5 * kDegree);  // was 1.05
 }
 
-/// How many planes were found on the rings of this table, each of which is another thing that reaches to a top's plane.
-int facesOnRings(std::uint64_t table, int seed) {
+TEST(ClutteredTable, HasNoFaceOnARingThatTouchesThePlaneOfATop) {
+  constexpr std::uint64_t kSeed = 2608;
   constexpr std::uint32_t kOfTable = 20000;  // points
-  const synthetic::World world = synthetic::clutteredTable(table);
-  Params params;
-  params.seed = seed;
-  Detector detector{params};
-  const Detections& found = detector.detect(tableCloud(table));
-  int faces = 0;
+  const synthetic::World world = synthetic::clutteredTable(kSeed);
+  Detector detector{Params()};
+  const Detections& found = detector.detect(tableCloud(kSeed));
+  int rings = 0;
   for (const synthetic::Body& body : world.bodies()) {
     const synthetic::Torus* ring = std::get_if<synthetic::Torus>(&body.solid);
     if (!ring) continue;
-    const Vec3 middle = synthetic::clutterPose(table).inverse() * body.world_from_body.translation();
-    faces += static_cast<int>(std::count_if(found.items.begin(), found.items.end(), [&](const Detection& item) {
-      return kindOf(item.shape) == Kind::plane && item.inlier_count <= kOfTable &&
-             (item.extent.origin - middle).norm() < ring->ring_radius;
-    }));
+    ++rings;
+    const Vec3 middle = synthetic::clutterPose(kSeed).inverse() * body.world_from_body.translation();
+    for (const Detection& item : found.items) {
+      if (kindOf(item.shape) != Kind::plane || item.inlier_count > kOfTable) continue;
+      EXPECT_GT((item.extent.origin - middle).norm(), ring->ring_radius) << item.confidence;  // was one of .96
+    }
   }
-  return faces;
-}
-
-TEST(ClutteredTable, HasHardlyAFaceOnARingThatTouchesThePlaneOfATop) {
-  int faces = 0;
-  for (int seed = 1; seed <= 12; ++seed) faces += facesOnRings(2608, seed);
-  EXPECT_LE(faces, 4);  // 2; 13 where uneven faces are believed
+  EXPECT_EQ(rings, 1);
 }
 
 TEST(ClutteredTable, TiltsNoTopTowardsAnotherWithTooFewSamples) {
@@ -151,27 +144,6 @@ TEST(ClutteredTables, ShowAsManyCurvedThingsInImagesOfAnyHeight) {
   }
   ASSERT_GE(whole, 20);
   for (const int found : fewer_rows) EXPECT_GE(found, whole - 2);
-}
-
-/// Samples that speak for the curved shapes of some tables.
-double inliersOfCurved(int closer_samples) {
-  Params params;
-  params.closer_samples = closer_samples;
-  Detector detector{params};
-  double sum = 0.0;
-  for (std::uint64_t seed = 2300; seed < 2306; ++seed) {
-    for (const Detection& item : detector.detect(tableCloud(seed)).items) {
-      if (kindOf(item.shape) != Kind::plane) sum += item.evidence.inliers;
-    }
-  }
-  return sum;
-}
-
-/// Where a thing gets fewer samples as there are many, it is no smaller.
-TEST(ClutteredTables, CountSamplesForMoreWhereTheCloserLookDrawsFewOfWhatIsLeft) {
-  const double usual = inliersOfCurved(4608), fewer = inliersOfCurved(1536);
-  EXPECT_GT(fewer, 0.42 * usual);  // with one for each .34, so .47
-  EXPECT_LT(fewer, usual) << "each counts for two at most";
 }
 
 /// More would be asked of what becomes likely later, too, and it would be gone.

@@ -61,7 +61,7 @@ TEST(Tracks, OfThingsOnATableKeepTheirNumbers) {
     for (const auto& [surface, ids] : numbers_of) ++things, numbers += ids.size();
   }
   EXPECT_GT(things, 20u);
-  // Small faces come and go: one thing in ten may have got a second number. Of 246 things on 20 tables one had.
+  // Small faces come and go: one thing in ten may have got a second number. Of 246 things on 20 tables two had.
   EXPECT_LE(numbers, things + things / 10);
 }
 

@@ -65,6 +65,22 @@ TEST(Tracker, ForgetsNoThingForOneSightingThatIsOff) {
   EXPECT_EQ(idsOf(tracker.update({good_again}, 4 * kFrame)), Ids{1});
 }
 
+TEST(Tracker, LooksNoFartherForASightingThatIsOlder) {
+  Tracker tracker;
+  tracker.update({ball({0, 0, 1})}, 0.0);
+  tracker.update({ball({0, 0, 1})}, 1.9);
+  EXPECT_EQ(idsOf(tracker.update({ball({0.45, 0, 1})}, 1.933)), Ids{2});
+}
+
+TEST(Tracker, GivesANeighborNoNumberOfAThingThatFlickers) {
+  Tracker tracker;
+  const Sighting flickers = can({0, 0, 1}), stays = can({0.2, 0, 1});
+  tracker.update({flickers, stays}, 0.0);
+  tracker.update({stays}, 0.6);
+  tracker.update({flickers, stays}, 1.2);
+  EXPECT_EQ(idsOf(tracker.update({can({0.175, 0, 1})}, 1.2 + kFrame)), Ids{2});
+}
+
 TEST(Tracker, CountsFramesSinceTheFirstAlsoThoseWithoutIt) {
   Tracker tracker;
   EXPECT_EQ(tracker.update({ball({0, 0, 1})}, 0.0)[0].age, 0u);

@@ -1,0 +1,57 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which of the two files RViz is given, and that they show the same."""
+import os
+import subprocess
+import unittest
+
+import yaml
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+
+
+def roslaunch(file, *arguments):
+    """What it would start RViz with; raises where it refuses."""
+    command = ["roslaunch", "--args", "/detector_rviz", os.path.join(ROOT, "launch", file), "rviz:=true"]
+    done = subprocess.run(command + list(arguments), capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise ValueError(done.stderr)
+    return done.stdout
+
+
+def config(name):
+    with open(os.path.join(ROOT, "config", name), encoding="utf-8") as file:
+        return yaml.safe_load(file)
+
+
+class LaunchViews(unittest.TestCase):
+    FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=/a.bag"),
+             ("bag.launch", "bag:=/a.bag", "depth:=/camera/depth/image_raw"))
+
+    def test_the_camera_s_is_the_default(self):
+        for file in self.FILES + (("demo.launch",),):
+            self.assertIn("config/primitect.rviz", roslaunch(*file), file)
+
+    def test_the_robot_s_is_that_of_its_base_and_of_whoever_asks(self):
+        for file in self.FILES:
+            for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["view:=robot"]):
+                self.assertIn("config/robot.rviz", roslaunch(*file, *arguments), (file, arguments))
+            self.assertIn("config/primitect.rviz", roslaunch(*file, "frame:=base_link", "view:=camera"), file)
+
+    def test_another_one_is_refused(self):
+        for file in self.FILES:
+            with self.assertRaisesRegex(ValueError, "view must be camera or robot, not 'bogus'"):
+                roslaunch(*file, "view:=bogus")
+
+    def test_both_show_the_same(self):
+        camera, robot = config("primitect.rviz"), config("robot.rviz")
+        self.assertNotEqual(camera["Visualization Manager"].pop("Views"), robot["Visualization Manager"].pop("Views"))
+        for shown in camera, robot:
+            cloud = [d for d in shown["Visualization Manager"]["Displays"] if d["Name"] == "Cloud"][0]
+            self.assertEqual(cloud.pop("Channel Name"), "z" if shown is camera else "x")
+        self.assertEqual(camera, robot)
+
+
+if __name__ == "__main__":
+    unittest.main()
