@@ -146,6 +146,19 @@ TEST(ClutteredTables, ShowAsManyCurvedThingsInImagesOfAnyHeight) {
   for (const int found : fewer_rows) EXPECT_GE(found, whole - 2);
 }
 
+bool hasWholeEvidence(const Detection& item) { return item.evidence.inliers == std::round(item.evidence.inliers); }
+
+/// A sample that speaks for one and a bit leaves no whole number.
+TEST(ClutteredTables, WeighSamplesOfTheCloserLookWhereMuchIsLeftForIt) {
+  Detector detector{Params()};
+  const auto allWhole = [&detector](std::uint64_t seed) {
+    const auto& items = detector.detect(tableCloud(seed)).items;
+    return std::all_of(items.begin(), items.end(), hasWholeEvidence);
+  };
+  EXPECT_FALSE(allWhole(2301));
+  EXPECT_TRUE(allWhole(2300));
+}
+
 /// More would be asked of what becomes likely later, too, and it would be gone.
 TEST(ClutteredTables, LoseWithAHigherLeastConfidenceOnlyWhatIsBelow) {
   std::size_t lost = 0;
