@@ -79,10 +79,10 @@ inline std::uint32_t countOf(std::uint64_t bits) {
 }
 
 /// How many measured points of the runs have a bit in `wanted`, one word for each run.
-inline double countWanted(const PointRuns& runs, const List<std::uint64_t>& wanted) {
+inline std::size_t countWanted(const PointRuns& runs, const List<std::uint64_t>& wanted) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) count += countOf(runs.measured[k] & wanted[k]);
-  return static_cast<double>(count);
+  return count;
 }
 
 inline std::size_t numberOfRuns(const Cloud& cloud) {

@@ -37,6 +37,11 @@ void Verification::begin(const FrameScale& scale) {
   refusals_ = {};
 }
 
+std::size_t Verification::inliersOfFirstDraw(const Segment& segment) const {
+  const auto end = std::lower_bound(segment.inliers.begin(), segment.inliers.end(), samples_.first_draw);
+  return static_cast<std::size_t>(end - segment.inliers.begin());
+}
+
 NoiseModel Verification::fullNoise() const {
   NoiseModel noise = noise_;
   noise.scale = fullScale(scale_.image_noise);

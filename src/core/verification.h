@@ -94,6 +94,8 @@ class Verification {
 
   /// How many samples a shape needs at least.
   std::size_t needed() const { return static_cast<std::size_t>(params_.min_inliers); }
+  /// Inliers are in rising order, and those of the first draw before others.
+  std::size_t inliersOfFirstDraw(const Segment& segment) const;
   bool isUnlikely(const Segment& segment) const { return segment.confidence < params_.min_confidence; }
   Limits sampleLimits() const;
   ProposalRules rules() const;

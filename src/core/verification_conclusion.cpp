@@ -112,9 +112,8 @@ void Verification::assess() {
     const Hypothesis& hypothesis = pool_[segment.hypothesis];
     const Kind kind = kindOf(hypothesis.shape);
     segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
-    const auto later = std::count_if(segment.inliers.begin(), segment.inliers.end(),
-                                     [this](std::uint32_t i) { return i >= samples_.first_draw; });
-    if (samples_.first_draw > 0) segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
+    const auto later = static_cast<double>(segment.inliers.size() - inliersOfFirstDraw(segment));
+    segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
     segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
     if (kind != Kind::plane) {
       const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);

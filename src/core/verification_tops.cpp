@@ -13,8 +13,7 @@ namespace primitect {
 
 bool Verification::isLargePlane(const Segment& segment) const {
   if (kindOf(segment.candidate.shape) != Kind::plane) return false;
-  const auto end = std::lower_bound(segment.inliers.begin(), segment.inliers.end(), samples_.first_draw);
-  return primitect::isLargePlane(static_cast<std::size_t>(end - segment.inliers.begin()), samples_.first_draw);
+  return primitect::isLargePlane(inliersOfFirstDraw(segment), samples_.first_draw);
 }
 
 std::optional<Vec3> Verification::levelOf(const Segment& plane) const {

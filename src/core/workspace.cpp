@@ -281,7 +281,7 @@ double Detector::Workspace::weightOfCloserSamples(const Cloud& cloud) {
   const auto usual =
       static_cast<std::size_t>(kOfDepthCameras * std::max(params.closer_samples, Params().closer_samples));
   if (!depth_camera || mostSamples(cloud) < usual) return 1.0;
-  const double left = countWanted(labeling.someRuns(), unexplained);
+  const auto left = static_cast<double>(countWanted(labeling.someRuns(), unexplained));
   return sampleWeight(rowsFor(cloud) == Labeling::Rows::every_second ? 2.0 * left : left, usual);
 }
 

@@ -32,10 +32,9 @@ struct FileReport {
 /// One JSON object, ends with a newline:
 /// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise", "seen_from_origin",
 /// "sensor": {"position", "orientation", "from"}, "refused": {reason: count}, "primitives": [...], "timing_ms": {...}}.
-/// Metres, radians. What no stage has filled is
-/// null, as is the rival of a primitive that has none. With max_latency also "effort", the share of the samples. A file
-/// that could not be read: {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and
-/// "timing_max_ms".
+/// Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none and a sensor at the
+/// origin. With max_latency also "effort", the share of the samples. A file that could not be read: {"file", "error",
+/// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.

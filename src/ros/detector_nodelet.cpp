@@ -44,7 +44,7 @@ void DetectorNodelet::start() {
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
   if (!loaded.params.sensor_frame.empty() || !loaded.params.target_frame.empty()) {
     transforms_ = std::make_unique<tf2_ros::Buffer>();
-    late_transforms_ = std::make_unique<LateTransforms>(*transforms_);
+    late_transforms_ = std::make_unique<LateTransforms>(*transforms_, loaded.params.transform_patience);
     transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
   }
   writeParams(private_handle, loaded.params);
@@ -133,7 +133,6 @@ PrimitiveArray& DetectorNodelet::detect(const sensor_msgs::PointCloud2& cloud) {
   sensor_header_.frame_id = sensor;
   Eigen::Isometry3d sensor_from_cloud;
   try {
-    late_transforms_->setPatience(pipeline_->params().transform_patience);
     sensor_from_cloud = late_transforms_->lookup(sensor, source, cloud.header.stamp);
   } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
@@ -246,7 +245,6 @@ std::string DetectorNodelet::toTargetFrame(const std::string& cloud_frame, Primi
   const bool something_to_move = message.status == PrimitiveArray::OK;
   if (something_to_move && frameName(target) != frameName(source)) {
     try {
-      late_transforms_->setPatience(pipeline_->params().transform_patience);
       target_from_source = late_transforms_->lookup(target, source, message.header.stamp);
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
       const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";
@@ -269,6 +267,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   const Lock lock(mutex_);
   try {
     pipeline_->setParams(fromConfig(config, pipeline_->params()));
+    if (late_transforms_) late_transforms_->setPatience(pipeline_->params().transform_patience);
     told_hopeless_ = told_not_from_origin_ = told_found_camera_ = false;
     if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
   } catch (const std::exception& error) {

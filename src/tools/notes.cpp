@@ -3,8 +3,6 @@
 // Questions about units, frames and intrinsics, and what to expect of noise.
 #include "tools/notes.h"
 
-#include <algorithm>
-
 #include "io/depths_text.h"
 #include "primitect/noisy_image.h"
 #include "tools/format.h"

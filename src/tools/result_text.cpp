@@ -3,7 +3,6 @@
 // Tables for a terminal.
 #include "tools/result_text.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "io/depths_text.h"
