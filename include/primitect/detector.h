@@ -32,9 +32,10 @@ struct Effort {
   /// Where a depth camera took the cloud, and shapes are verified with its noise, three quarters of these numbers are
   /// all of it.
   double share = 1.0;
-  /// Asked before each round but the first and before the closer look, until it says true: then what is left of the
-  /// search is skipped, and what was found so far is verified and measured. Empty: there is time for everything.
-  std::function<bool()> out_of_time;
+  /// Asked before each round but the first and before the closer look: the share of its samples that there is time for,
+  /// up to 1. At 0, or what is no share, the rest of the search is skipped, and what was found so far is verified and
+  /// measured. Empty: there is time for everything.
+  std::function<double()> share_in_time;
 };
 
 /// The least share of the effort: it leaves 256 samples in a draw, unless the cloud is a small part of a depth image.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace primitect {
@@ -25,10 +26,11 @@ class LatencyGovernor {
   /// A frame begins; what was asked in one that never ended is forgotten.
   void beginFrame();
 
-  /// Asked in the middle of a frame, for the first, second, ... time: so many seconds after its beginning, would going
-  /// on with the search miss the bound? Judged by how frames before went on from there. A search that ends early is
-  /// asked less often: then its last place is judged by what comes after an earlier one, which is longer.
-  bool outOfTime(double elapsed);
+  /// Asked in the middle of a frame, for the first, second, ... time: so many seconds after its beginning, how large a
+  /// share of the samples that the search draws next keeps the bound? 1: all of them, 0: none. Judged by how frames
+  /// before went on from there. A search that ends early is asked less often: then its last place is judged by what
+  /// comes after an earlier one, which is longer.
+  double shareInTime(double elapsed);
 
   /// The frame is done and took so many seconds.
   void endFrame(double seconds);
@@ -40,10 +42,16 @@ class LatencyGovernor {
   bool hopeless() const { return share_ <= least_share_ && lastTwo() > bound_; }
 
  private:
-  /// A place in the frame where outOfTime() is asked.
+  /// A place in the frame where shareInTime() is asked.
   struct Place {
     double elapsed = 0.0;  ///< s, in this frame
     double rest = 0.0;     ///< s, from there to the end of frames before; 0: not known yet
+  };
+
+  /// Where fewer samples were to be drawn.
+  struct Cut {
+    std::size_t place;
+    double part_of_rest;  ///< of the time from there to the end; 0: nothing more was searched
   };
 
   void learnRest(double seconds);
@@ -57,7 +65,8 @@ class LatencyGovernor {
   std::vector<double> costs_;  ///< of the last frames with this share, s
   std::array<Place, 16> places_;
   std::size_t asked_ = 0;    ///< places in this frame
-  double would_take_ = 0.0;  ///< s; what this frame would have taken without skipping; 0: nothing was skipped
+  std::optional<Cut> cut_;   ///< the last of this frame
+  double would_take_ = 0.0;  ///< s; this frame, if it had not been cut; 0: it was not
   std::uint64_t frames_ = 0, missed_ = 0;
 };
 

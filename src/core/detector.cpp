@@ -52,13 +52,13 @@ const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
   const FrameMemoryScope scope(&w.memory);
   const Cloud& seen = w.begin(cloud, checked(effort));
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
-    if (round > 0 && w.outOfTime()) break;
+    if (round > 0 && !w.hasTimeForMore()) break;
     if (!w.prepareRound(seen, round)) break;
     w.params.verify ? w.segmentVerified(seen, round) : w.segmentByVotes();
     w.done("segment");
   }
   if (w.params.verify && w.result.status == Status::ok) {
-    if (!w.outOfTime()) w.lookCloser(seen);
+    if (w.hasTimeForMore()) w.lookCloser(seen);
     w.conclude();
     w.done("look closer");
     w.measureOnCloud(seen);

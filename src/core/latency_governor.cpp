@@ -22,6 +22,21 @@ constexpr std::size_t kFramesToGrow = 16;
 /// Less is not worth a change.
 constexpr double kLeastGrowth = 1.05;
 
+/// Of the time from the closer look to the end of a frame with all samples: the part that it takes with a share of
+/// them. On 30 tables (compare --set tabletop --seeds 2300:30) the median was .50, .62, .80, .90 and .93 of it with .1,
+/// .2, .4, .6 and .8 of the samples, .13 with none.
+constexpr double kWithFew = 0.4;
+double timeOfShare(double share) { return kWithFew + (1.0 - kWithFew) * std::sqrt(share); }
+
+/// The share of the samples with which the rest of a frame takes that part of its time; 0 below a tenth of them: four
+/// fifths of what is on a table are still found with these, a quarter with none.
+double shareThatTakes(double part) {
+  constexpr double kLeast = 0.1;
+  const double root = (part - kWithFew) / (1.0 - kWithFew);
+  const double share = root > 0.0 ? std::min(root * root, 1.0) : 0.0;
+  return share < kLeast ? 0.0 : share;
+}
+
 }  // namespace
 
 LatencyGovernor::LatencyGovernor(double bound, double least_share) : bound_(bound), least_share_(least_share) {
@@ -34,25 +49,30 @@ LatencyGovernor::LatencyGovernor(double bound, double least_share) : bound_(boun
 
 void LatencyGovernor::beginFrame() {
   asked_ = 0;
+  cut_.reset();
   would_take_ = 0.0;
 }
 
-bool LatencyGovernor::outOfTime(double elapsed) {
+double LatencyGovernor::shareInTime(double elapsed) {
   // What was learned from a frame that was interrupted must not skip the search for ever.
   constexpr double kForget = 0.98;
-  if (asked_ == places_.size()) return elapsed > bound_;
+  // Frames differ: of those that aim at the bound half would miss it.
+  constexpr double kAimOfCut = 0.95;
+  if (asked_ == places_.size()) return elapsed > bound_ ? 0.0 : 1.0;
   Place& place = places_[asked_++];
   place.elapsed = elapsed;
-  if (elapsed + place.rest <= bound_) return false;
+  if (elapsed + place.rest <= bound_) return 1.0;
   would_take_ = elapsed + place.rest;
-  place.rest *= kForget;
-  return true;
+  const double share = shareThatTakes((kAimOfCut * bound_ - elapsed) / place.rest);
+  cut_ = {asked_ - 1, share > 0.0 ? timeOfShare(share) : 0.0};
+  if (share == 0.0) place.rest *= kForget;
+  return share;
 }
 
 void LatencyGovernor::endFrame(double seconds) {
   ++frames_;
   if (seconds > bound_) ++missed_;
-  if (would_take_ == 0.0) learnRest(seconds);
+  learnRest(seconds);
   if (costs_.size() == kFrames) costs_.erase(costs_.begin());
   // A frame that kept the bound because the search was cut short asks for fewer samples all the same.
   costs_.push_back(std::max(seconds, would_take_));
@@ -60,10 +80,17 @@ void LatencyGovernor::endFrame(double seconds) {
   adapt();
 }
 
-/// In seconds rather than in proportion: an interruption before the place says nothing about what comes after it.
+/// In seconds rather than in proportion: an interruption before the place says nothing about what comes after it. Where
+/// fewer samples were drawn the time that they took tells what all would have.
 void LatencyGovernor::learnRest(double seconds) {
   constexpr double kNew = 0.2, kMostSurprise = 1.5;
-  for (std::size_t i = 0; i < asked_; ++i) {
+  if (cut_ && cut_->part_of_rest == 0.0) return;
+  if (cut_) {
+    const double begin = places_[cut_->place].elapsed;
+    seconds = begin + (seconds - begin) / cut_->part_of_rest;
+  }
+  const std::size_t count = cut_ ? cut_->place + 1 : asked_;
+  for (std::size_t i = 0; i < count; ++i) {
     Place& place = places_[i];
     const double rest = seconds - place.elapsed;
     const bool first = place.rest == 0.0;

@@ -71,7 +71,8 @@ double radiusStretch(const View& view, double largest) {
 
 const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_effort) {
   effort = &frame_effort;
-  out_of_time = false;
+  share_in_time = 1.0;
+  cut_short = false;
   samples.clear();
   all_samples.clear();
   segments.clear();
@@ -121,15 +122,20 @@ std::size_t Detector::Workspace::atThisEffort(int count) const {
 
 /// As few as the same surface gets at this effort: or small ones that are seen would be refused. Less than a dozen
 /// samples on one surface may be chance.
-int Detector::Workspace::inliersAtThisEffort() const {
+int Detector::Workspace::inliersAtThisEffort(double of_samples) const {
   constexpr int kFewest = 12;
-  return std::min(params.min_inliers, std::max(kFewest, static_cast<int>(atThisEffort(params.min_inliers))));
+  const double inliers = of_samples * static_cast<double>(atThisEffort(params.min_inliers));
+  return std::min(params.min_inliers, std::max(kFewest, static_cast<int>(inliers)));
 }
 
-bool Detector::Workspace::outOfTime() {
+bool Detector::Workspace::hasTimeForMore() {
   const FrameMemoryScope others(nullptr);
-  out_of_time = out_of_time || (effort->out_of_time && effort->out_of_time());
-  return out_of_time;
+  if (share_in_time > 0.0 && effort->share_in_time) {
+    const double share = effort->share_in_time();
+    share_in_time = share > 0.0 ? std::min(share, 1.0) : 0.0;
+    cut_short = cut_short || share_in_time < 1.0;
+  }
+  return share_in_time > 0.0;
 }
 
 /// How many pixels of a depth image a sample needs for itself: where the windows that normals are fitted to overlap
@@ -149,6 +155,18 @@ std::size_t Detector::Workspace::mostSamples(const Cloud& cloud) {
   const double pixels = pixelsOfSample(cloud);
   if (pixels == 0.0) return cloud.size();
   return static_cast<std::size_t>(std::ceil(std::max(cloud.valid_count / std::max(pixels, 1.0), kFewest)));
+}
+
+/// As many as there is time for.
+std::size_t Detector::Workspace::samplesOfDraw(int count, const Cloud& cloud) {
+  const auto in_time = static_cast<std::size_t>(std::ceil(share_in_time * static_cast<double>(atThisEffort(count))));
+  return std::min(in_time, mostSamples(cloud));
+}
+
+/// Of all samples that the frame would have had with those of the last draw that there was no time for.
+double Detector::Workspace::shareOfSearch() const {
+  const auto before = static_cast<double>(verification.samples().size()), drawn = static_cast<double>(samples.size());
+  return (before + drawn) / (before + drawn / share_in_time);
 }
 
 /// What the closer look draws from. Where windows of the usual size are fitted to pixels, samples lie some rows apart:
@@ -173,8 +191,7 @@ void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>&
     labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs, rowsFor(cloud), unexplained);
     sampler.keepTo(unexplained);
   }
-  sampler.draw(std::min(atThisEffort(count), mostSamples(cloud)), static_cast<std::uint64_t>(params.seed) + round,
-               samples);
+  sampler.draw(samplesOfDraw(count, cloud), static_cast<std::uint64_t>(params.seed) + round, samples);
 }
 
 /// d_s, and what noise to expect, from the first samples.
@@ -292,6 +309,7 @@ void Detector::Workspace::lookCloser(const Cloud& cloud) {
   }
   spare_outlines.keep(result.items, [&large](std::size_t k) { return large[k]; });
   draw(cloud, result.items, params.closer_samples, params.rounds);
+  if (share_in_time < 1.0) verification.setMinInliers(inliersAtThisEffort(shareOfSearch()));
   verification.weighLaterDraws(weightOfCloserSamples(cloud));
   done("sample");
   estimateNormals(cloud, params, normal_source, samples);

@@ -52,8 +52,9 @@ struct Detector::Workspace {
   /// Forgets the last frame and looks whether this one can be used. Returns the cloud to work on.
   const Cloud& begin(const Cloud& cloud, const Effort& frame_effort);
 
-  /// True from the first time on that the effort's owner says so.
-  bool outOfTime();
+  /// Asks the effort's owner, and draws as large a part of the next samples as he says; none from the first time on
+  /// that he says so.
+  bool hasTimeForMore();
 
   /// The samples of a round, with normals; false when there is nothing left to vote.
   bool prepareRound(const Cloud& cloud, int round);
@@ -96,10 +97,12 @@ struct Detector::Workspace {
   bool bringsNormals(const Cloud& cloud) const;
   void forgetResult();
   std::size_t atThisEffort(int count) const;
-  int inliersAtThisEffort() const;
+  int inliersAtThisEffort(double of_samples = 1.0) const;
   double pixelsOfSample(const Cloud& cloud);
   Labeling::Rows rowsFor(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
+  std::size_t samplesOfDraw(int count, const Cloud& cloud);
+  double shareOfSearch() const;
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
   double weightOfCloserSamples(const Cloud& cloud);
   void measureImageNoise(const Cloud& image);
@@ -145,7 +148,8 @@ struct Detector::Workspace {
   Params params;
   std::function<void(const char*)> stage_done;
   const Effort* effort = nullptr;  ///< only while a frame runs
-  bool out_of_time = false;        ///< in this frame
+  double share_in_time = 1.0;      ///< of the next draw's samples; 0: of no more
+  bool cut_short = false;          ///< this frame's search, for want of time
   bool brings_normals = false;     ///< the cloud of this frame, ones that are wanted
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
   double image_growth = 1.0;       ///< growthOf() the image

@@ -259,9 +259,9 @@ std::size_t Detector::Workspace::fewestPoints(Kind kind, const Cloud& cloud) {
   const bool curved = kind != Kind::plane, in_image = depth_camera && !arrangement.projected();
   // Of the points that as many samples stand for on average.
   const double least_share = curved ? 0.05 : in_image ? 0.3 : 0.15;
-  // Without the closer look each of the few samples stands for no more than it would with it.
+  // Without all of the closer look each of the few samples stands for no more than it would with it.
   const std::size_t drawn =
-      out_of_time ? atThisEffort(params.rounds * params.samples + params.closer_samples) : result.samples;
+      cut_short ? atThisEffort(params.rounds * params.samples + params.closer_samples) : result.samples;
   const double each = static_cast<double>(result.points_used) / static_cast<double>(std::max<std::size_t>(drawn, 1));
   const double least_pixels = (curved ? kOfCurved : 1.0) * pixelsOfSample(cloud);
   // As many as inliers were looked at; each of these stands for some of a large cloud.

@@ -71,7 +71,7 @@ void FramePipeline::resetGovernor() {
 const Detections& FramePipeline::detect() {
   if (!governor_) return detector_.detect(cloud_);
   governor_->beginFrame();
-  return detector_.detect(cloud_, {governor_->share(), [this] { return governor_->outOfTime(times_.elapsed()); }});
+  return detector_.detect(cloud_, {governor_->share(), [this] { return governor_->shareInTime(times_.elapsed()); }});
 }
 
 void FramePipeline::published() {

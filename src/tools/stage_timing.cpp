@@ -24,7 +24,7 @@ TimedRun timeDetection(Detector& detector, const Cloud& cloud, LatencyGovernor* 
   Effort effort;
   if (governor) {
     governor->beginFrame();
-    effort = {governor->share(), [&] { return governor->outOfTime(1e-3 * total.elapsedMs()); }};
+    effort = {governor->share(), [&] { return governor->shareInTime(1e-3 * total.elapsedMs()); }};
   }
   total.lapMs();
   stage.lapMs();
