@@ -66,7 +66,7 @@ class LatencyGovernor {
   std::array<Place, 16> places_;
   std::size_t asked_ = 0;    ///< places in this frame
   std::optional<Cut> cut_;   ///< the last of this frame
-  double would_take_ = 0.0;  ///< s; this frame, if it had not been cut; 0: it was not
+  double would_take_ = 0.0;  ///< s; this frame, if it had not been cut short; 0: it was not
   std::uint64_t frames_ = 0, missed_ = 0;
 };
 

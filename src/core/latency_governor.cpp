@@ -58,13 +58,14 @@ double LatencyGovernor::shareInTime(double elapsed) {
   constexpr double kForget = 0.98;
   // Frames differ: of those that aim at the bound half would miss it.
   constexpr double kAimOfCut = 0.95;
+  constexpr double kFewFound = 0.3;
   if (asked_ == places_.size()) return elapsed > bound_ ? 0.0 : 1.0;
   Place& place = places_[asked_++];
   place.elapsed = elapsed;
   if (elapsed + place.rest <= bound_) return 1.0;
-  would_take_ = elapsed + place.rest;
   const double share = shareThatTakes((kAimOfCut * bound_ - elapsed) / place.rest);
   cut_ = {asked_ - 1, share > 0.0 ? timeOfShare(share) : 0.0};
+  if (share < kFewFound) would_take_ = elapsed + place.rest;
   if (share == 0.0) place.rest *= kForget;
   return share;
 }
@@ -74,7 +75,7 @@ void LatencyGovernor::endFrame(double seconds) {
   if (seconds > bound_) ++missed_;
   learnRest(seconds);
   if (costs_.size() == kFrames) costs_.erase(costs_.begin());
-  // A frame that kept the bound because the search was cut short asks for fewer samples all the same.
+  // A frame that kept the bound because the search was cut that short asks for fewer samples all the same.
   costs_.push_back(std::max(seconds, would_take_));
   beginFrame();
   adapt();
