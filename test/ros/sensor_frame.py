@@ -11,8 +11,9 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
+from dynamic_reconfigure.client import Client
 from primitect.msg import Primitive, PrimitiveArray
-from ros_helpers import Collector, Detector, camera_looking_ahead, cloud_message, wait_for, wall_and_ball
+from ros_helpers import PATIENCE, Collector, Detector, camera_looking_ahead, cloud_message, wait_for, wall_and_ball
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import PointCloud2
 from visualization_msgs.msg import MarkerArray
@@ -21,6 +22,7 @@ HEIGHT = 0.3  # m: less than half of the image is higher than the least depth ab
 NEAR_WALL, FAR_WALL, MAX_DEPTH = 1.2, 2.4, 2.0  # m
 BALL, RADIUS = (0.0, 0.0, 0.8), 0.1
 TILT = 0.1  # rad
+LONGER_WAIT = 0.5  # s
 
 
 def scene():
@@ -113,6 +115,18 @@ class SensorFrame(unittest.TestCase):
         self.check_normals(self.of_answer(normals, answer))
         for outputs in (labels, normals):
             self.assertFalse(set(without_transform) & {m.header.stamp for m in outputs.all()})
+
+    def test_waits_for_a_transform_as_long_as_it_was_told_meanwhile(self):
+        detector = Detector()
+        self.assertTrue(detector.ready())
+        client = Client("/detector", timeout=PATIENCE)
+        usual = client.get_configuration()["transform_patience"]
+        self.assertLess(usual, LONGER_WAIT)
+        client.update_configuration({"transform_patience": LONGER_WAIT})
+        answer = detector.ask(cloud_message(POINTS, WIDTH, IMAGE_HEIGHT, frame="elsewhere"))
+        client.update_configuration({"transform_patience": usual})
+        self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
+        self.assertGreaterEqual(answer.processing_time, LONGER_WAIT)
 
     def of_answer(self, outputs, answer):
         """The cloud that came with this answer, where it was looked at: in the sensor's frame."""
