@@ -28,6 +28,12 @@ struct Cloud {
   std::size_t size() const { return x.size(); }
   bool organized() const { return height > 1; }
   bool hasNormals() const { return !nx.empty() && nx.size() == x.size(); }
+  /// Its lists are as long as its sides say, and of normals there are as many as of points; who fills them sees to it.
+  bool isConsistent() const {
+    const auto fits = [this](const std::vector<float>& values) { return values.size() == x.size(); };
+    const bool normals_fit = !hasNormals() || (fits(ny) && fits(nz));
+    return x.size() == static_cast<std::size_t>(width) * height && fits(y) && fits(z) && normals_fit;
+  }
   void dropNormals() {
     for (auto* values : {&nx, &ny, &nz}) values->clear();
   }
@@ -77,6 +83,10 @@ struct Cloud {
   /// `step` bytes from one point to the next, the first at `first`; they need not be aligned.
   void setPoints(std::size_t begin, std::size_t count, const std::uint8_t* first, std::size_t step,
                  const DepthRange& range);
+
+  /// One place that a hundredth of the points and more share exactly is what a driver fills in where nothing was
+  /// measured: these points become missing, unless they are all.
+  void dropFilledIn();
 
   /// Into another frame. Points that setPoint() would make missing there become so.
   void move(const Eigen::Isometry3d& target_from_source, const DepthRange& range);

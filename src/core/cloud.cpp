@@ -4,6 +4,8 @@
 #include "primitect/cloud.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "kernels/loops.h"
 
@@ -46,6 +48,44 @@ void Cloud::setPoints(std::size_t begin, std::size_t count, const std::uint8_t* 
                       const DepthRange& range) {
   kernels::loops().takeApart(first, step, count, x.data() + begin, y.data() + begin, z.data() + begin);
   checkPoints(begin, begin + count, range);
+}
+
+namespace {
+
+using Place = std::array<float, 3>;
+
+/// One that some of a hundred points share exactly.
+std::optional<Place> sharedPlace(const Cloud& cloud) {
+  constexpr std::size_t kLookedAt = 128;
+  constexpr int kShare = 3;
+  std::array<Place, kLookedAt> places;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < kLookedAt; ++k) {
+    const std::size_t i = k * cloud.size() / kLookedAt;
+    if (cloud.size() >= kLookedAt && cloud.valid(i)) places[count++] = {cloud.x[i], cloud.y[i], cloud.z[i]};
+  }
+  std::sort(places.begin(), places.begin() + count);
+  for (std::size_t k = kShare; k <= count; ++k) {
+    if (places[k - kShare] == places[k - 1]) return places[k - 1];
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Cloud::dropFilledIn() {
+  constexpr double kLeast = 0.01;
+  const std::optional<Place> place = sharedPlace(*this);
+  if (!place) return;
+  const auto filled_in = [this, &place](std::size_t i) { return Place{x[i], y[i], z[i]} == *place; };
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < size(); ++i) count += filled_in(i) ? 1u : 0u;
+  if (count < kLeast * valid_count || count == valid_count) return;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (filled_in(i)) x[i] = y[i] = z[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  valid_count -= count;
+  if ((*place)[2] <= 0.0f) behind_count -= count;
 }
 
 void Cloud::move(const Eigen::Isometry3d& target_from_source, const DepthRange& range) {

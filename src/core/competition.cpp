@@ -214,6 +214,8 @@ class Fits {
 
 bool Limits::hold(const Shape& shape) const {
   if (isSharper(shape, min_half_angle_deg)) return false;
+  const Plane* plane = std::get_if<Plane>(&shape);
+  if (plane && std::abs(plane->normal.dot(plane->point)) < min_distance) return false;
   return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape).value_or(0.0) <= max_radius;
 }
 

@@ -18,6 +18,7 @@ struct Limits {
   const Params& params;
   double max_radius;                ///< m, besides params.max_radius
   double min_half_angle_deg = 0.0;  ///< besides params.min_half_angle_deg
+  double min_distance = 0.0;        ///< m, of planes from the origin: a sensor sees none that it lies in
 
   bool hold(const Shape& shape) const;
 };

@@ -101,13 +101,32 @@ void orient(Vec3& normal, const Vec3& point, const Vec3& given) {
   if (normal.dot(given) < 0.0) normal = -normal;
 }
 
-void fitNeighborhoods(const Cloud& cloud, int count, NeighborSearch& search, Samples& samples) {
+/// Less than a degree from the ray: a surface that is seen so shows next to nothing of itself.
+bool isAlongRay(const Vec3& normal, const Vec3& point) {
+  constexpr double kSine = 0.02;
+  return std::abs(normal.dot(point)) < kSine * point.norm();
+}
+
+/// Where a sensor at the origin sees rows that are far apart, as of a laser scanner, all neighbours may be of one row:
+/// the plane through them is that of the scan, along its rays. Then of four times as many; none where these are no
+/// better.
+std::optional<Vec3> normalAround(const Cloud& cloud, std::uint32_t point, int count, NormalSource& source,
+                                 List<std::uint32_t>& neighbors) {
+  constexpr int kMore = 4;
+  for (const int wanted : {count, kMore * count}) {
+    source.neighbors->nearest(cloud, point, wanted, neighbors);
+    const std::optional<Vec3> normal = planeNormal(cloud, neighbors);
+    if (!normal || !source.from_origin || !isAlongRay(*normal, cloud.point(point))) return normal;
+  }
+  return std::nullopt;
+}
+
+void fitNeighborhoods(const Cloud& cloud, int count, bool keep_sides, NormalSource& source, Samples& samples) {
   List<std::uint32_t> neighbors;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    search.nearest(cloud, samples.index[i], count, neighbors);
-    std::optional<Vec3> normal = planeNormal(cloud, neighbors);
+    std::optional<Vec3> normal = normalAround(cloud, samples.index[i], count, source, neighbors);
     if (!normal) continue;
-    orient(*normal, samples.point(i), samples.hasNormal(i) ? samples.normal(i) : Vec3(Vec3::Zero()));
+    orient(*normal, samples.point(i), keep_sides && samples.hasNormal(i) ? samples.normal(i) : Vec3(Vec3::Zero()));
     store(*normal, i, samples);
   }
 }
@@ -167,7 +186,8 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 }
 
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples) {
-  if (params.use_cloud_normals && cloud.hasNormals()) {
+  const bool takes_own = params.use_cloud_normals && cloud.hasNormals();
+  if (takes_own) {
     takeCloudNormals(cloud, params.orient_normals, samples);
     // Fields that are there but hold zeros or NaN throughout are as good as none.
     if (anyNormal(samples) && source.neighbor_count <= 0) return;
@@ -177,7 +197,7 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;
-  fitNeighborhoods(cloud, count, *source.neighbors, samples);
+  fitNeighborhoods(cloud, count, !(takes_own && params.orient_normals), source, samples);
 }
 
 bool mostFaceAway(const Samples& samples) {

@@ -20,6 +20,7 @@ struct NormalSource {
   std::unique_ptr<NeighborSearch> neighbors;
   std::optional<ImageRays> rays;    ///< of the organized cloud
   std::optional<PixelPitch> pitch;  ///< the same
+  bool from_origin = false;         ///< the cloud was seen by a sensor there
   double noise_scale = 1.0;         ///< of the image, times axialNoise()
   double grain = 1.0;               ///< grainOf() the image
   int neighbor_count =
@@ -44,7 +45,7 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 
 /// Fills the normals of the samples: from the cloud where it brings any that are usable, else from the image window,
 /// else from the nearest neighbours. Measured normals point towards the sensor; with source.neighbor_count to the side
-/// of those that the cloud brings. Where none can be had it stays missing, and that sample does not vote.
+/// of those that the cloud brings, where these are not to be turned. Where none can be had it stays missing, and that sample does not vote.
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
 
 /// Three quarters of the normals or more: of whole objects, seen through, little more than half do.

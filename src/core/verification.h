@@ -27,6 +27,7 @@ struct FrameScale {
   double radius_stretch = 1.0;  ///< bins of radii are so many times as wide as params.radius_bin says
   double view_radius = 0.0;     ///< m; radii may be as large as this, even where the bins end before
   bool fitted_normals = false;  ///< the cloud brought none; false where its own are measured anew
+  bool from_origin = false;     ///< seen by a sensor there
 };
 
 /// All hypotheses of a frame and the samples that they are checked on.

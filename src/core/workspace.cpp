@@ -79,11 +79,15 @@ const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_
   verification.begin({});
   normal_source.reset();
   forgetResult();
+  if (!cloud.isConsistent()) {
+    result.status = Status::rejected_input;
+    return cloud;
+  }
   const Cloud& enough = thinned_image.of(cloud);
-  const std::uint32_t each = enough.step * enough.step;
-  each_pixel = each;
   result.points_in = static_cast<std::uint32_t>(cloud.size()) * cloud.step * cloud.step;
-  result.points_used = enough.valid_count * each;
+  // Not the square of the step: it need not divide the sides.
+  each_pixel = static_cast<double>(result.points_in) / static_cast<double>(std::max<std::size_t>(enough.size(), 1));
+  result.points_used = static_cast<std::uint32_t>(std::lround(each_pixel * enough.valid_count));
   result.status = statusOf(enough);
   depth_camera = false;
   if (result.status != Status::ok) return cloud;
@@ -91,6 +95,8 @@ const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_
   const Cloud& seen = arrangement.of(enough, brings_normals);
   normal_source.rays = arrangement.rays();
   result.seen_from_origin = arrangement.seenFromOrigin();
+  // Of lists with normals only points behind the sensor would tell: too little to refuse anything for.
+  normal_source.from_origin = result.seen_from_origin && !brings_normals;
   labeling.begin(seen);
   depth_camera = params.verify && params.inlier_depth_share > 0.0 && mayBeOfDepthCamera(seen);
   voting.setReferences(atThisEffort(params.references));
@@ -200,7 +206,7 @@ void Detector::Workspace::measureScale() {
   const double seen = depth_camera ? sceneDiameterOfDepth(view) : view.diagonal;
   result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : seen;
   // All points in one place have no scale and no normals.
-  if (!(result.scene_diameter > 0.0)) result.status = Status::too_few_points;
+  if (!(view.diagonal > 0.0)) result.status = Status::too_few_points;
   constexpr double kJustSo = 1.0;
   tolerance = {NoiseModel{params.inlier_distance * result.scene_diameter},
                std::cos(params.inlier_angle_deg * M_PI / 180.0), kJustSo};
@@ -219,8 +225,8 @@ void Detector::Workspace::measureScale() {
   // deg are in view: about as little as its curvature needs to be clear (curvature.cpp).
   constexpr double kOfView = 1.5;
   const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
-  verification.begin(
-      {result.scene_diameter, depth_camera, result.image_noise, image_growth, stretch, view_radius, !brings_normals});
+  verification.begin({result.scene_diameter, depth_camera, result.image_noise, image_growth, stretch, view_radius,
+                      !brings_normals, normal_source.from_origin});
 }
 
 void Detector::Workspace::measureImageNoise(const Cloud& image) {

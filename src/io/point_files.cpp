@@ -105,6 +105,7 @@ Cloud convert(const std::string& path, const pcl::PCLPointCloud2& message) {
     cloud.setPoint(i, x.read(point), y.read(point), z.read(point), DepthRange{});
     if (with_normals) cloud.setNormal(i, nx.read(point), ny.read(point), nz.read(point));
   }
+  cloud.dropFilledIn();
   return cloud;
 }
 

@@ -190,6 +190,7 @@ std::string readCloud(const PointCloud2& message, const DepthRange& range, const
   int step = wanted.all_points ? 1 : largestImageStep(message.width, message.height);
   for (int before = 0; step != before;) {
     readPositions(PointGrid(message, static_cast<std::uint32_t>(step)), position, range, with_normals, cloud);
+    cloud.dropFilledIn();
     before = step;
     step = imageStepFor(step, cloud.valid_count);
   }

@@ -120,6 +120,9 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   PrimitiveArray& written = message_writer_.write(detections, message.header);
   written.points_in = static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{message.width} * message.height,
                                                                          std::numeric_limits<std::uint32_t>::max()));
+  // Of a large image they are extrapolated from every second pixel or fewer, which are a little more than their share.
+  written.points_used = std::min(written.points_used, written.points_in);
+  for (Primitive& item : written.primitives) item.inlier_count = std::min(item.inlier_count, written.points_in);
   return written;
 }
 

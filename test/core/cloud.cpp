@@ -132,6 +132,53 @@ TEST(Cloud, LiesBehindWhereMoreThanOnePointInAHundredDoes) {
   EXPECT_TRUE(cloud.liesBehind()) << "of those that are measured";
 }
 
+/// A thousand points on a curve, of which every so-many-th is in one place.
+Cloud filledIn(std::size_t every, float depth) {
+  Cloud cloud;
+  cloud.reset(1000, 1, false);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    const bool filled_in = i % every == 0;
+    filled_in ? cloud.setPoint(i, 0.0f, 0.0f, depth, {})
+              : cloud.setPoint(i, 0.001f * static_cast<float>(i), 0.0f, 1.0f, {});
+  }
+  cloud.dropFilledIn();
+  return cloud;
+}
+
+TEST(Cloud, DropsAPlaceThatIsFilledIn) {
+  const Cloud third = filledIn(3, 0.5f);
+  EXPECT_EQ(third.valid_count, 666u);
+  EXPECT_FALSE(third.valid(0) || third.valid(3) || third.valid(999));
+  EXPECT_TRUE(third.valid(1) && third.valid(998));
+  EXPECT_EQ(filledIn(10, -1.0f).behind_count, 0u);
+  EXPECT_EQ(filledIn(200, 0.5f).valid_count, 1000u) << "that few may be a coincidence";
+  EXPECT_EQ(filledIn(1, 0.5f).valid_count, 1000u) << "all of them";
+}
+
+TEST(Cloud, KeepsPointsThatCameTwice) {
+  Cloud cloud;
+  cloud.reset(1000, 1, false);
+  for (std::size_t i = 0; i < 1000; ++i) cloud.setPoint(i, 0.002f * static_cast<float>(i / 2), 0.0f, 1.0f, {});
+  cloud.dropFilledIn();
+  EXPECT_EQ(cloud.valid_count, 1000u);
+}
+
+TEST(Cloud, IsConsistentWithListsAsLongAsItsSidesSay) {
+  Cloud cloud;
+  EXPECT_TRUE(cloud.isConsistent());
+  cloud.reset(4, 3, true);
+  EXPECT_TRUE(cloud.isConsistent());
+  Cloud higher = cloud, shorter = cloud, part = cloud, without = cloud;
+  higher.height = 4;
+  shorter.z.pop_back();
+  part.ny.clear();
+  without.dropNormals();
+  EXPECT_FALSE(higher.isConsistent());
+  EXPECT_FALSE(shorter.isConsistent());
+  EXPECT_FALSE(part.isConsistent());
+  EXPECT_TRUE(without.isConsistent());
+}
+
 TEST(Cloud, KeepsAllDepthsWhenTheRangeIsOff) {
   Cloud cloud;
   cloud.reset(2, 1, false);

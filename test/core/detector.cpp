@@ -14,6 +14,7 @@
 #include "test/support/ball_and_wall.h"
 #include "test/support/scenes.h"
 #include "test/support/stages.h"
+#include "test/support/wall_image.h"
 
 namespace primitect {
 namespace {
@@ -140,6 +141,22 @@ TEST(Detector, GivesTheReasonWhenNothingCanComeOut) {
   }
   EXPECT_EQ(detector.detect(cloud).status, Status::too_few_points);
   EXPECT_TRUE(detector.detect(cloud).items.empty());
+  Params of_known_size;
+  of_known_size.scene_diameter = 1.0;
+  EXPECT_EQ(Detector(of_known_size).detect(cloud).status, Status::too_few_points);
+  cloud.ny.clear();
+  EXPECT_EQ(detector.detect(cloud).status, Status::rejected_input) << "normals of one coordinate too few";
+}
+
+TEST(Detector, CountsNoMorePointsThanThereAre) {
+  const Cloud odd = test::wallImage(1281, 721, 0.001f);
+  Detector detector{Params()};
+  const Detections& found = detector.detect(odd);
+  EXPECT_EQ(found.points_in, 1281u * 721u);
+  EXPECT_LE(found.points_used, found.points_in);
+  ASSERT_EQ(found.items.size(), 1u);
+  EXPECT_LE(found.items[0].inlier_count, found.points_in);
+  EXPECT_GT(found.items[0].inlier_count, 0.98 * found.points_in);
 }
 
 TEST(Detector, LetsNoPointVoteTwice) {

@@ -206,6 +206,24 @@ TEST(CloudNormals, AreKeptOrTurnedTowardsTheSensor) {
   EXPECT_FLOAT_EQ(samples.nz[1], -1.0f);
 }
 
+TEST(CloudNormals, ThatAreMeasuredAnewAreTurnedAsTheyWouldBe) {
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  cloud.height = 1, cloud.width = static_cast<std::uint32_t>(cloud.size());
+  // Away from the sensor, but so aslant that on the left they look towards it.
+  for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) values->resize(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) cloud.setNormal(i, 1.0f, 0.0f, 0.1f);
+  Samples samples;
+  drawSamples(cloud, 50, 1, samples);
+  for (const bool turned : {false, true}) {
+    Params params;
+    params.orient_normals = turned;
+    NormalSource source;
+    source.neighbor_count = 20;
+    estimateNormals(cloud, params, source, samples);
+    for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_NEAR(samples.nz[i], turned ? -1.0f : 1.0f, 1e-3f);
+  }
+}
+
 /// Of a whole ball, seen through.
 std::vector<test::SurfacePoint> wholeBall(const Vec3& center) {
   Random random(5);
