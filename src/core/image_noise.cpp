@@ -71,6 +71,11 @@ double grainOf(const ImageNoise& noise) {
   return std::clamp(1.0 + (noise.likeness - kUsual) / kPerPixel, 1.0, kMostGrain);
 }
 
+double usualGrainOf(const ImageNoise& noise) {
+  constexpr double kUsual = 2.5, kNotAlike = 0.15, kAlike = 0.3;
+  return 1.0 + (kUsual - 1.0) * ramp(kNotAlike, kAlike, noise.likeness);
+}
+
 double growthOf(const ImageNoise& noise) {
   constexpr double kMost = 0.8;
   constexpr double kAsUsual = 1.2, kClearly = 1.5;  // of noise in grains that grows as structured light's: 1.1

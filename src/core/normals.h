@@ -23,6 +23,7 @@ struct NormalSource {
   bool from_origin = false;         ///< the cloud was seen by a sensor there
   double noise_scale = 1.0;         ///< of the image, times axialNoise()
   double grain = 1.0;               ///< grainOf() the image
+  double usual_grain = 1.0;         ///< usualGrainOf() it
   int neighbor_count =
       0;  ///< above 0: measured anew from so many neighbours, instead of the cloud's own or normal_neighbors
 

@@ -14,7 +14,7 @@
 namespace primitect {
 
 /// Share of the first draw's samples from which on a plane is taken for what things stand on.
-constexpr double kLargePlane = 0.1;
+constexpr double kLargePlane = 0.08;
 
 inline bool isLargePlane(std::size_t inliers, std::size_t samples) {
   return static_cast<double>(inliers) > kLargePlane * static_cast<double>(samples);

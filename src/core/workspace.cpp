@@ -236,6 +236,7 @@ void Detector::Workspace::measureImageNoise(const Cloud& image) {
   result.image_noise = noise.scale;
   normal_source.noise_scale = toleratedScale(noise.scale);
   normal_source.grain = grainOf(noise);
+  normal_source.usual_grain = usualGrainOf(noise);
   image_growth = growthOf(noise);
 }
 

@@ -112,26 +112,68 @@ TEST(ImageNoise, IsToldInCoarseImagesWithHoles) {
   EXPECT_GT(measuredIn(cloud), 2.0);
 }
 
-/// Far away 7 x 7 pixels that share their noise are nearly a whole window of the usual size.
-TEST(ImageNoise, InGrainsMakesWindowsOfNormalsLarger) {
+TEST(ImageNoise, HasTheUsualGrainOfCamerasWherePixelsErrAlikeAtAll) {
+  const auto at = [](double likeness) { return usualGrainOf({1.0, 1.0, likeness}); };
+  EXPECT_EQ(at(0.0), 1.0);
+  EXPECT_EQ(at(0.15), 1.0);
+  EXPECT_NEAR(at(0.225), 1.75, 1e-9);
+  EXPECT_EQ(at(0.35), 2.5);
+  EXPECT_EQ(at(0.66), 2.5);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_EQ(usualGrainOf(noiseIn(tableCloud(1.0, seed))), 1.0);
+    EXPECT_GT(usualGrainOf(noiseIn(tableCloud(3.0, seed, 3))), 1.5);
+  }
+}
+
+/// A wall, 1.8 m away: how far its normals are off about each axis, and what is said of that (rad).
+std::pair<double, double> spreadAndSigma(const Cloud& wall, const NormalSource& with) {
+  Samples samples;
+  drawSamples(wall, 900, 1, samples);
+  NormalSource source;
+  source.grain = with.grain, source.usual_grain = with.usual_grain;
+  estimateNormals(wall, Params(), source, samples);
+  double squares = 0.0, sigmas = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples.hasNormal(i)) continue;
+    squares += samples.normal(i).head<2>().squaredNorm(), sigmas += samples.normal_sigma[i], count += 1.0;
+  }
+  return {std::sqrt(0.5 * squares / count), sigmas / count};
+}
+
+Cloud farWall(double noise_scale, int grain) {
   synthetic::World world;
   world.add("wall", synthetic::Sheet{4.0, 4.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 1.8)));
-  const Cloud cloud = test::renderedCloud(world, noisy(1.5, 7), 3);
-  const auto spreadAndSigma = [&cloud](double grain) {
-    Samples samples;
-    drawSamples(cloud, 900, 1, samples);
-    NormalSource source;
-    source.grain = grain;
-    estimateNormals(cloud, Params(), source, samples);
-    double squares = 0.0, sigmas = 0.0, count = 0.0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (!samples.hasNormal(i)) continue;
-      squares += samples.normal(i).head<2>().squaredNorm(), sigmas += samples.normal_sigma[i], count += 1.0;
-    }
-    return std::pair(std::sqrt(0.5 * squares / count), sigmas / count);
-  };
-  const auto [usual, usual_sigma] = spreadAndSigma(1.0);
-  const auto [larger, larger_sigma] = spreadAndSigma(7.0);
+  return test::renderedCloud(world, noisy(noise_scale, grain), 3);
+}
+
+TEST(ImageNoise, OfTheUsualGrainMakesFarWindowsLargerAndSaysMore) {
+  const Cloud wall = farWall(1.0, 3);
+  NormalSource with;
+  const auto [alone, alone_sigma] = spreadAndSigma(wall, with);
+  with.usual_grain = 2.5;
+  const auto [larger, larger_sigma] = spreadAndSigma(wall, with);
+  EXPECT_LT(larger, 0.75 * alone);
+  EXPECT_GT(alone, 1.5 * alone_sigma) << "as if each pixel erred on its own";
+  EXPECT_LT(larger, 1.5 * larger_sigma);
+}
+
+/// Walls that were not found in the first look cost the closer look its samples, and with it all small things.
+TEST(ImageNoise, OfTheUsualGrainHidesNoWallsFromTheFirstLook) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Params params;
+    params.seed = static_cast<int>(seed);
+    params.closer_samples = 0;
+    EXPECT_EQ(Detector(params).detect(farWall(1.5, 3)).items.size(), 1u) << seed;
+  }
+}
+
+/// Far away 7 x 7 pixels that share their noise are nearly a whole window of the usual size.
+TEST(ImageNoise, InGrainsMakesWindowsOfNormalsLarger) {
+  const Cloud wall = farWall(1.5, 7);
+  NormalSource with;
+  const auto [usual, usual_sigma] = spreadAndSigma(wall, with);
+  with.grain = 7.0;
+  const auto [larger, larger_sigma] = spreadAndSigma(wall, with);
   EXPECT_LT(larger, 0.7 * usual);
   EXPECT_LT(larger, 0.2);
   EXPECT_GT(usual, 4.0 * usual_sigma) << "as if each pixel erred on its own";
