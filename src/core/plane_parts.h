@@ -13,11 +13,16 @@
 
 namespace primitect {
 
-/// Share of the first draw's samples from which on a plane is taken for what things stand on.
-constexpr double kLargePlane = 0.08;
-
+/// With that many of the first draw's samples a plane needs no closer look.
 inline bool isLargePlane(std::size_t inliers, std::size_t samples) {
-  return static_cast<double>(inliers) > kLargePlane * static_cast<double>(samples);
+  constexpr double kLarge = 0.08;
+  return static_cast<double>(inliers) > kLarge * static_cast<double>(samples);
+}
+
+/// With that many it is taken for what things stand on.
+inline bool maySupport(std::size_t inliers, std::size_t samples) {
+  constexpr double kOfAll = 0.1;
+  return static_cast<double>(inliers) > kOfAll * static_cast<double>(samples);
 }
 
 using SampleParts = List<List<std::uint32_t>>;

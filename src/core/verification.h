@@ -78,9 +78,11 @@ class Verification {
   /// with the most samples come first.
   const List<Segment>& segments() const { return segments_; }
   const Refusals& refusals() const { return refusals_; }
-  /// What things stand on: a plane with so much of the first draw, which was from all points (plane_parts.h).
+  /// A plane with so much of the first draw, which was from all points, that it needs no closer look (plane_parts.h).
   bool isLargePlane(const Segment& segment) const;
-  /// The normal of that large plane which this plane is most parallel to: what it may stand on; nothing where there is
+  /// One with so much of it that things may stand on it.
+  bool maySupport(const Segment& segment) const;
+  /// The normal of that one which this plane is most parallel to: what it may stand on; nothing where there is
   /// none.
   std::optional<Vec3> levelOf(const Segment& plane) const;
   double radiusBin() const;      ///< m

@@ -16,11 +16,16 @@ bool Verification::isLargePlane(const Segment& segment) const {
   return primitect::isLargePlane(inliersOfFirstDraw(segment), samples_.first_draw);
 }
 
+bool Verification::maySupport(const Segment& segment) const {
+  if (kindOf(segment.candidate.shape) != Kind::plane) return false;
+  return primitect::maySupport(inliersOfFirstDraw(segment), samples_.first_draw);
+}
+
 std::optional<Vec3> Verification::levelOf(const Segment& plane) const {
   std::optional<Vec3> level;
   const Vec3 normal = std::get<Plane>(plane.candidate.shape).normal;
   for (const Segment& segment : segments_) {
-    if (!isLargePlane(segment)) continue;
+    if (!maySupport(segment)) continue;
     const Vec3& other = std::get<Plane>(segment.candidate.shape).normal;
     if (!level || std::abs(normal.dot(other)) > std::abs(normal.dot(*level))) level = other;
   }
@@ -34,7 +39,7 @@ bool Verification::isWhole(const List<std::uint32_t>& inliers, const std::option
 
 bool Verification::separate(const Segment& segment, const HeldGains& held) {
   // In parts, what things stand on is one plane all the same.
-  if (isLargePlane(segment)) return false;
+  if (maySupport(segment)) return false;
   const std::optional<Vec3> level = levelOf(segment);
   if (isWhole(segment.inliers, level)) return false;
   const SampleParts parts = separateParts(segment.inliers, needed(), graph_);

@@ -34,7 +34,7 @@ void Detector::Workspace::takeTopsApart(const Cloud& whole, List<LabelRun>& runs
   for (const Segment& segment : verification.segments()) {
     if (!isDescribed(segment)) continue;
     const std::size_t of = next++;
-    const bool small = kindOf(segment.candidate.shape) == Kind::plane && !verification.isLargePlane(segment);
+    const bool small = kindOf(segment.candidate.shape) == Kind::plane && !verification.maySupport(segment);
     const std::optional<Vec3> level = small ? verification.levelOf(segment) : std::nullopt;
     if (!level) continue;
     const Plane& plane = std::get<Plane>(segment.candidate.shape);

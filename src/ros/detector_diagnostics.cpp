@@ -74,12 +74,13 @@ void DetectorDiagnostics::startAnew() {
 bool DetectorDiagnostics::silent() const { return subscribed_ && secondsSince(last_frame_) > kSilenceSeconds; }
 
 void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
-  if (!last_error_.empty()) {
-    status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
-  } else if (!subscribed_) {
+  if (!subscribed_ && last_error_.empty()) {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
   } else if (silent()) {
-    status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s", secondsSince(last_frame_));
+    const std::string before = last_error_.empty() ? "" : "; the last one was refused: " + last_error_;
+    status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s%s", secondsSince(last_frame_), before.c_str());
+  } else if (!last_error_.empty()) {
+    status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
   } else if (view_.seen_from_origin == false) {
     status.summary(DiagnosticStatus::WARN,
                    "clouds are not seen from the origin of their frame: is sensor_frame right?");

@@ -24,7 +24,7 @@ class Silence(unittest.TestCase):
         cls.image.publish(Image())
         cls.quiet = rospy.Publisher("/quiet", PointCloud2, queue_size=1)
         cls.outputs = [Collector(name + "/primitives", PrimitiveArray)
-                       for name in ("/on_image", "/on_nothing", "/on_quiet")]
+                       for name in ("/on_image", "/on_nothing", "/on_quiet", "/on_refused")]
 
     def why(self, node, topic):
         """What the log says of the silence, from the topic's name on; None where it says nothing."""
@@ -54,6 +54,16 @@ class Silence(unittest.TestCase):
         self.assertTrue(wait_for(lambda: any(message.startswith("no cloud for") for message in told())))
         self.assertIn("waiting for the first cloud", told())
         self.assertNotIn("receiving", told())
+
+    def test_diagnostics_say_so_after_a_cloud_that_was_refused_too(self):
+        def told():
+            return [status.message for array in self.diagnostics.all() for status in array.status
+                    if status.name.endswith("on_refused: input")]
+        publisher = rospy.Publisher("/refused", PointCloud2, queue_size=1, latch=True)
+        publisher.publish(PointCloud2(width=1, height=1))  # without any field
+        self.assertTrue(wait_for(lambda: any(message.startswith("last cloud refused") for message in told())))
+        self.assertTrue(wait_for(lambda: any(message.startswith("no cloud for") and "refused" in message
+                                             for message in told())))
 
 
 if __name__ == "__main__":
