@@ -85,9 +85,10 @@ const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_
   }
   const Cloud& enough = thinned_image.of(cloud);
   result.points_in = static_cast<std::uint32_t>(cloud.size()) * cloud.step * cloud.step;
-  // Not the square of the step: it need not divide the sides.
-  each_pixel = static_cast<double>(result.points_in) / static_cast<double>(std::max<std::size_t>(enough.size(), 1));
-  result.points_used = static_cast<std::uint32_t>(std::lround(each_pixel * enough.valid_count));
+  const std::uint32_t each = enough.step * enough.step;
+  each_pixel = each;
+  // Of sides that the step does not divide some pixels are more than their share.
+  result.points_used = std::min(enough.valid_count * each, result.points_in);
   result.status = statusOf(enough);
   depth_camera = false;
   if (result.status != Status::ok) return cloud;

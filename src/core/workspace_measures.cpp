@@ -221,6 +221,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     const List<std::uint32_t> clear_of_item = clear.of(k, points[k].index);
     ClearPoints::OnSurface on_surface(clear, k, clear_of_item);
     measurement.measure(points[k], clear_of_item, std::ref(on_surface), result.items[k]);
+    result.items[k].inlier_count = std::min(result.items[k].inlier_count, result.points_used);
   }
   distrustBentParts(enough);
   distrustUnevenFaces(enough);
