@@ -86,7 +86,8 @@ class WindowSizes {
 void fitWindows(const Cloud& image, int window_at_one_meter, NormalSource& source, Samples& samples) {
   // With all of the grain of a block matcher, 7, precision on the tables that it sees is less by 3 %.
   constexpr double kMostSaid = 3.0;
-  // Where normals are good, too, it would cost some shapes (tables 98.2 / 97.9 -> 97.9 / 96.9 with 2 everywhere).
+  // Where normals are good, too, it would cost some shapes (compare --set tabletop
+  // --seeds 2300:40: 98.2 / 97.9 -> 97.9 / 96.9 with 2 everywhere).
   constexpr double kGood = 0.02, kPoor = 0.04;  // rad
   const ImageRays& rays = raysOf(image, source);
   const PixelPitch& pitch = pixelPitch(image, source);
