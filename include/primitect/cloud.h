@@ -31,8 +31,9 @@ struct Cloud {
   /// Its lists are as long as its sides say, and of normals there are as many as of points; who fills them sees to it.
   bool isConsistent() const {
     const auto fits = [this](const std::vector<float>& values) { return values.size() == x.size(); };
-    const bool normals_fit = !hasNormals() || (fits(ny) && fits(nz));
-    return x.size() == static_cast<std::size_t>(width) * height && fits(y) && fits(z) && normals_fit;
+    const bool no_normals = nx.empty() && ny.empty() && nz.empty();
+    return x.size() == static_cast<std::size_t>(width) * height && fits(y) && fits(z) &&
+           (no_normals || (fits(nx) && fits(ny) && fits(nz)));
   }
   void dropNormals() {
     for (auto* values : {&nx, &ny, &nz}) values->clear();
@@ -84,8 +85,8 @@ struct Cloud {
   void setPoints(std::size_t begin, std::size_t count, const std::uint8_t* first, std::size_t step,
                  const DepthRange& range);
 
-  /// One place that a hundredth of the points and more share exactly is what a driver fills in where nothing was
-  /// measured: these points become missing, unless they are all.
+  /// One place that some hundredths of the points share exactly is what a driver fills in where nothing was measured:
+  /// these points become missing, unless they are all. Clouds of fewer than 256 points stay as they are.
   void dropFilledIn();
 
   /// Into another frame. Points that setPoint() would make missing there become so.

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace primitect {
@@ -27,9 +26,9 @@ class LatencyGovernor {
   void beginFrame();
 
   /// Asked in the middle of a frame, for the first, second, ... time: so many seconds after its beginning, how large a
-  /// share of the samples that the search draws next keeps the bound? 1: all of them, 0: none. Judged by how frames
-  /// before went on from there. A search that ends early is asked less often: then its last place is judged by what
-  /// comes after an earlier one, which is longer.
+  /// share of the samples that the search draws next keeps the bound, to 95 % of it? 1: all of them; 0: none, also
+  /// where not a tenth is. Judged by how frames before went on from there. A search that ends early is asked less
+  /// often: then its last place is judged by what comes after an earlier one, which is longer.
   double shareInTime(double elapsed);
 
   /// The frame is done and took so many seconds.
@@ -46,12 +45,7 @@ class LatencyGovernor {
   struct Place {
     double elapsed = 0.0;  ///< s, in this frame
     double rest = 0.0;     ///< s, from there to the end of frames before; 0: not known yet
-  };
-
-  /// Where fewer samples were to be drawn.
-  struct Cut {
-    std::size_t place;
-    double part_of_rest;  ///< of the time from there to the end; 0: nothing more was searched
+    double part = 1.0;     ///< of that time, what this frame takes with fewer samples; 0: nothing more is searched
   };
 
   void learnRest(double seconds);
@@ -65,7 +59,6 @@ class LatencyGovernor {
   std::vector<double> costs_;  ///< of the last frames with this share, s
   std::array<Place, 16> places_;
   std::size_t asked_ = 0;    ///< places in this frame
-  std::optional<Cut> cut_;   ///< the last of this frame
   double would_take_ = 0.0;  ///< s; this frame, if it had not been cut short; 0: it was not
   std::uint64_t frames_ = 0, missed_ = 0;
 };

@@ -129,7 +129,7 @@ const char* statusName(Status status);
 /// Why shapes that were tried did not come out.
 enum class Refusal : std::uint8_t {
   few_inliers,  ///< fewer than min_inliers samples around a candidate fit
-  limits,       ///< a fit broke a limit: radius, half angle
+  limits,       ///< a fit broke a limit: radius, half angle, or a plane in which the sensor lies
   unlikely,     ///< less than min_confidence
 };
 constexpr std::size_t kRefusalCount = 3;

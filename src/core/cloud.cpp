@@ -54,15 +54,19 @@ namespace {
 
 using Place = std::array<float, 3>;
 
-/// One that some of a hundred points share exactly.
+/// One that three of 256 points share exactly, all over the cloud: of images in other columns each time.
 std::optional<Place> sharedPlace(const Cloud& cloud) {
-  constexpr std::size_t kLookedAt = 128;
+  constexpr std::size_t kLookedAt = 256;
   constexpr int kShare = 3;
+  constexpr double kGolden = 0.618033988749895;
+  if (cloud.size() < kLookedAt) return std::nullopt;
   std::array<Place, kLookedAt> places;
   std::size_t count = 0;
   for (std::size_t k = 0; k < kLookedAt; ++k) {
-    const std::size_t i = k * cloud.size() / kLookedAt;
-    if (cloud.size() >= kLookedAt && cloud.valid(i)) places[count++] = {cloud.x[i], cloud.y[i], cloud.z[i]};
+    const double part = std::fmod(kGolden * static_cast<double>(k), 1.0);
+    const auto i =
+        static_cast<std::size_t>((static_cast<double>(k) + part) / kLookedAt * static_cast<double>(cloud.size()));
+    if (cloud.valid(i)) places[count++] = {cloud.x[i], cloud.y[i], cloud.z[i]};
   }
   std::sort(places.begin(), places.begin() + count);
   for (std::size_t k = kShare; k <= count; ++k) {

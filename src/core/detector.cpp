@@ -52,13 +52,13 @@ const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
   const FrameMemoryScope scope(&w.memory);
   const Cloud& seen = w.begin(cloud, checked(effort));
   for (int round = 0; round < w.params.rounds && w.result.status == Status::ok; ++round) {
-    if (round > 0 && !w.hasTimeForMore()) break;
+    if (round > 0 && !w.askForTime()) break;
     if (!w.prepareRound(seen, round)) break;
     w.params.verify ? w.segmentVerified(seen, round) : w.segmentByVotes();
     w.done("segment");
   }
   if (w.params.verify && w.result.status == Status::ok) {
-    if (w.hasTimeForMore()) w.lookCloser(seen);
+    if (w.askForTime()) w.lookCloser(seen);
     w.conclude();
     w.done("look closer");
     w.measureOnCloud(seen);
@@ -69,6 +69,7 @@ const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
 
 void Detector::label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
   const FrameMemoryScope scope(&work_->memory);
+  if (!cloud.isConsistent()) return labels.assign(cloud.size(), 0);
   labelPoints(cloud, work_->result.items, work_->tolerance, labels);
   if (work_->tolerance.noise.ofDepthCamera()) dropFarSides(cloud, work_->result.items, work_->tolerance, labels);
 }

@@ -49,24 +49,21 @@ LatencyGovernor::LatencyGovernor(double bound, double least_share) : bound_(boun
 
 void LatencyGovernor::beginFrame() {
   asked_ = 0;
-  cut_.reset();
   would_take_ = 0.0;
 }
 
 double LatencyGovernor::shareInTime(double elapsed) {
-  // What was learned from a frame that was interrupted must not skip the search for ever.
-  constexpr double kForget = 0.98;
-  // Frames differ: of those that aim at the bound half would miss it.
+  // A little less than the bound: of frames that aim at it half would miss it.
   constexpr double kAimOfCut = 0.95;
   constexpr double kFewFound = 0.3;  // with a fifth of the samples 5 % of what is on tables is missing
   if (asked_ == places_.size()) return elapsed > bound_ ? 0.0 : 1.0;
   Place& place = places_[asked_++];
   place.elapsed = elapsed;
+  place.part = 1.0;
   if (elapsed + place.rest <= bound_) return 1.0;
   const double share = shareThatTakes((kAimOfCut * bound_ - elapsed) / place.rest);
-  cut_ = {asked_ - 1, share > 0.0 ? timeOfShare(share) : 0.0};
+  place.part = share > 0.0 ? timeOfShare(share) : 0.0;
   if (share < kFewFound) would_take_ = elapsed + place.rest;
-  if (share == 0.0) place.rest *= kForget;
   return share;
 }
 
@@ -82,21 +79,25 @@ void LatencyGovernor::endFrame(double seconds) {
 }
 
 /// In seconds rather than in proportion: an interruption before the place says nothing about what comes after it. Where
-/// fewer samples were drawn the time that they took tells what all would have.
+/// fewer samples were drawn at the last place alone the time that they took tells what all would have.
 void LatencyGovernor::learnRest(double seconds) {
   constexpr double kNew = 0.2, kMostSurprise = 1.5;
-  if (cut_ && cut_->part_of_rest == 0.0) return;
-  if (cut_) {
-    const double begin = places_[cut_->place].elapsed;
-    seconds = begin + (seconds - begin) / cut_->part_of_rest;
+  // What was learned from a frame that was interrupted must not cut the search for ever.
+  constexpr double kForget = 0.98;
+  const auto begin = places_.begin(), end = begin + static_cast<std::ptrdiff_t>(asked_);
+  const auto cuts = std::count_if(begin, end, [](const Place& place) { return place.part < 1.0; });
+  const Place* last = asked_ > 0 ? &places_[asked_ - 1] : nullptr;
+  if (cuts == 1 && 0.0 < last->part && last->part < 1.0) {
+    seconds = last->elapsed + (seconds - last->elapsed) / last->part;
+  } else if (cuts > 0) {
+    std::for_each(begin, end, [](Place& place) { place.rest *= place.part < 1.0 ? kForget : 1.0; });
+    return;
   }
-  const std::size_t count = cut_ ? cut_->place + 1 : asked_;
-  for (std::size_t i = 0; i < count; ++i) {
-    Place& place = places_[i];
+  std::for_each(begin, end, [seconds](Place& place) {
     const double rest = seconds - place.elapsed;
     const bool first = place.rest == 0.0;
     place.rest = first ? rest : (1.0 - kNew) * place.rest + kNew * std::min(rest, kMostSurprise * place.rest);
-  }
+  });
 }
 
 /// What both of the last two frames took at least; 0 before there are two.

@@ -63,8 +63,8 @@ class WindowSizes {
  private:
   static constexpr double kLargestForGrains = 20.0;  // px
 
-  /// Of noise that neighbours share a window holds less that is independent. Standard deviations of axialNoise() of the
-  /// noise, times its grain, over the turn of normals (rad) that it may make; 0: it has no grain.
+  /// Of noise that neighbours share a window holds less that is independent. The noise in standard deviations of
+  /// axialNoise(), times its grain, divided by the turn of normals (rad) that it may cause; 0: it has no grain.
   static double noisePerTurn(const NormalSource& source) {
     constexpr double kMostTurn = 0.15, kMostUsualTurn = 0.07;  // one standard deviation
     const double grainy = source.grain > 1.0 ? source.grain / kMostTurn : 0.0;
@@ -111,7 +111,7 @@ void orient(Vec3& normal, const Vec3& point, const Vec3& given) {
   if (normal.dot(given) < 0.0) normal = -normal;
 }
 
-/// Less than a degree from the ray: a surface that is seen so shows next to nothing of itself.
+/// Little more than a degree from the ray: a surface that is seen so shows next to nothing of itself.
 bool isAlongRay(const Vec3& normal, const Vec3& point) {
   constexpr double kSine = 0.02;
   return std::abs(normal.dot(point)) < kSine * point.norm();
@@ -126,7 +126,7 @@ std::optional<Vec3> normalAround(const Cloud& cloud, std::uint32_t point, int co
   for (const int wanted : {count, kMore * count}) {
     source.neighbors->nearest(cloud, point, wanted, neighbors);
     const std::optional<Vec3> normal = planeNormal(cloud, neighbors);
-    if (!normal || !source.from_origin || !isAlongRay(*normal, cloud.point(point))) return normal;
+    if (!source.from_origin || (normal && !isAlongRay(*normal, cloud.point(point)))) return normal;
   }
   return std::nullopt;
 }

@@ -54,7 +54,8 @@ double Verification::largestRadius() const { return std::max(radiusBin() * param
 
 /// A depth camera's samples do tell: cones of .35 m that taper by 6 or 7 deg would come out as two cylinders.
 Limits Verification::sampleLimits() const {
-  constexpr double kOfScene = 0.003, kMost = 0.005;  // m
+  constexpr double kOfScene = 0.003;  // of d_s
+  constexpr double kMost = 0.005;     // m
   const double sharpest = noise_.ofDepthCamera() ? 0.0 : sharpestOfSamples(params_);
   const double min_distance = scale_.from_origin ? std::min(kOfScene * scale_.scene_diameter, kMost) : 0.0;
   return {params_, largestRadius(), sharpest, min_distance};

@@ -73,14 +73,17 @@ const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_
   effort = &frame_effort;
   share_in_time = 1.0;
   cut_short = false;
+  wanted_samples = 0;
   samples.clear();
   all_samples.clear();
   segments.clear();
   verification.begin({});
   normal_source.reset();
   forgetResult();
+  depth_camera = false;
   if (!cloud.isConsistent()) {
     result.status = Status::rejected_input;
+    result.points_in = static_cast<std::uint32_t>(cloud.size());
     return cloud;
   }
   const Cloud& enough = thinned_image.of(cloud);
@@ -90,14 +93,14 @@ const Cloud& Detector::Workspace::begin(const Cloud& cloud, const Effort& frame_
   // Of sides that the step does not divide some pixels are more than their share.
   result.points_used = std::min(enough.valid_count * each, result.points_in);
   result.status = statusOf(enough);
-  depth_camera = false;
   if (result.status != Status::ok) return cloud;
   brings_normals = bringsNormals(enough);
   const Cloud& seen = arrangement.of(enough, brings_normals);
   normal_source.rays = arrangement.rays();
   result.seen_from_origin = arrangement.seenFromOrigin();
-  // Of lists with normals only points behind the sensor would tell: too little to refuse anything for.
-  normal_source.from_origin = result.seen_from_origin && !brings_normals;
+  // Of lists with normals only points behind the sensor would tell: too little to refuse anything for. The paper's way
+  // is left as it is.
+  normal_source.from_origin = params.verify && result.seen_from_origin && !brings_normals;
   labeling.begin(seen);
   depth_camera = params.verify && params.inlier_depth_share > 0.0 && mayBeOfDepthCamera(seen);
   voting.setReferences(atThisEffort(params.references));
@@ -135,7 +138,7 @@ int Detector::Workspace::inliersAtThisEffort(double of_samples) const {
   return std::min(params.min_inliers, std::max(kFewest, static_cast<int>(inliers)));
 }
 
-bool Detector::Workspace::hasTimeForMore() {
+bool Detector::Workspace::askForTime() {
   const FrameMemoryScope others(nullptr);
   if (share_in_time > 0.0 && effort->share_in_time) {
     const double share = effort->share_in_time();
@@ -164,16 +167,10 @@ std::size_t Detector::Workspace::mostSamples(const Cloud& cloud) {
   return static_cast<std::size_t>(std::ceil(std::max(cloud.valid_count / std::max(pixels, 1.0), kFewest)));
 }
 
-/// As many as there is time for.
-std::size_t Detector::Workspace::samplesOfDraw(int count, const Cloud& cloud) {
-  const auto in_time = static_cast<std::size_t>(std::ceil(share_in_time * static_cast<double>(atThisEffort(count))));
-  return std::min(in_time, mostSamples(cloud));
-}
-
-/// Of all samples that the frame would have had with those of the last draw that there was no time for.
-double Detector::Workspace::shareOfSearch() const {
-  const auto before = static_cast<double>(verification.samples().size()), drawn = static_cast<double>(samples.size());
-  return (before + drawn) / (before + drawn / share_in_time);
+/// Of all samples that this frame would have drawn by now with time for everything: the share that it has.
+double Detector::Workspace::shareOfSamples() const {
+  const auto drawn = static_cast<double>(verification.samples().size() + samples.size());
+  return drawn / std::max(drawn, static_cast<double>(wanted_samples));
 }
 
 /// What the closer look draws from. Where windows of the usual size are fitted to pixels, samples lie some rows apart:
@@ -198,7 +195,13 @@ void Detector::Workspace::draw(const Cloud& cloud, const std::vector<Detection>&
     labeling.findUnexplained(explaining, tolerance.scaled(kOutskirts), runs, rowsFor(cloud), unexplained);
     sampler.keepTo(unexplained);
   }
-  sampler.draw(samplesOfDraw(count, cloud), static_cast<std::uint64_t>(params.seed) + round, samples);
+  const auto seed = static_cast<std::uint64_t>(params.seed) + round;
+  const std::size_t all = std::min(atThisEffort(count), mostSamples(cloud));
+  const auto in_time = static_cast<std::size_t>(std::ceil(share_in_time * static_cast<double>(all)));
+  sampler.draw(in_time, seed, samples);
+  const bool came_to_the_end = samples.size() < in_time;
+  wanted_samples += came_to_the_end ? samples.size() : all;
+  if (cut_short) verification.setMinInliers(inliersAtThisEffort(shareOfSamples()));
 }
 
 /// d_s, and what noise to expect, from the first samples.
@@ -317,7 +320,6 @@ void Detector::Workspace::lookCloser(const Cloud& cloud) {
   }
   spare_outlines.keep(result.items, [&large](std::size_t k) { return large[k]; });
   draw(cloud, result.items, params.closer_samples, params.rounds);
-  if (share_in_time < 1.0) verification.setMinInliers(inliersAtThisEffort(shareOfSearch()));
   verification.weighLaterDraws(weightOfCloserSamples(cloud));
   done("sample");
   estimateNormals(cloud, params, normal_source, samples);

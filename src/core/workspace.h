@@ -52,9 +52,9 @@ struct Detector::Workspace {
   /// Forgets the last frame and looks whether this one can be used. Returns the cloud to work on.
   const Cloud& begin(const Cloud& cloud, const Effort& frame_effort);
 
-  /// Asks the effort's owner, and draws as large a part of the next samples as he says; none from the first time on
-  /// that he says so.
-  bool hasTimeForMore();
+  /// Asks the effort's owner, and remembers how large a part of the next draw there is time for. False: for none of it,
+  /// now and later in this frame.
+  bool askForTime();
 
   /// The samples of a round, with normals; false when there is nothing left to vote.
   bool prepareRound(const Cloud& cloud, int round);
@@ -101,8 +101,7 @@ struct Detector::Workspace {
   double pixelsOfSample(const Cloud& cloud);
   Labeling::Rows rowsFor(const Cloud& cloud);
   std::size_t mostSamples(const Cloud& cloud);
-  std::size_t samplesOfDraw(int count, const Cloud& cloud);
-  double shareOfSearch() const;
+  double shareOfSamples() const;
   void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
   double weightOfCloserSamples(const Cloud& cloud);
   void measureImageNoise(const Cloud& image);
@@ -150,6 +149,7 @@ struct Detector::Workspace {
   const Effort* effort = nullptr;  ///< only while a frame runs
   double share_in_time = 1.0;      ///< of the next draw's samples; 0: of no more
   bool cut_short = false;          ///< this frame's search, for want of time
+  std::size_t wanted_samples = 0;  ///< drawn in this frame, and those that there was no time for
   bool brings_normals = false;     ///< the cloud of this frame, ones that are wanted
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
   double image_growth = 1.0;       ///< growthOf() the image

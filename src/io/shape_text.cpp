@@ -93,7 +93,7 @@ std::string reasonText(const Detections& detections) {
              std::to_string(detections.points_in) + " are measured and within the depth range, at least " +
              std::to_string(kFewestPoints) + " are needed";
     case Status::rejected_input:
-      return "the input was rejected";
+      return "the input was rejected: its points or normals are not as many as its width and height say";
     case Status::no_transform:
       return "no transform to the target frame";
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "test/support/exact_shapes.h"
+#include "test/support/wall_image.h"
 
 namespace primitect {
 namespace {
@@ -132,14 +133,13 @@ TEST(Cloud, LiesBehindWhereMoreThanOnePointInAHundredDoes) {
   EXPECT_TRUE(cloud.liesBehind()) << "of those that are measured";
 }
 
-/// A thousand points on a curve, of which every so-many-th is in one place.
+/// Ten thousand points on a curve, of which every so-many-th is in one place.
 Cloud filledIn(std::size_t every, float depth) {
   Cloud cloud;
-  cloud.reset(1000, 1, false);
-  for (std::size_t i = 0; i < 1000; ++i) {
+  cloud.reset(10000, 1, false);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
     const bool filled_in = i % every == 0;
-    filled_in ? cloud.setPoint(i, 0.0f, 0.0f, depth, {})
-              : cloud.setPoint(i, 0.001f * static_cast<float>(i), 0.0f, 1.0f, {});
+    cloud.setPoint(i, filled_in ? 0.0f : 0.001f * static_cast<float>(i), 0.0f, filled_in ? depth : 1.0f, {});
   }
   cloud.dropFilledIn();
   return cloud;
@@ -147,12 +147,27 @@ Cloud filledIn(std::size_t every, float depth) {
 
 TEST(Cloud, DropsAPlaceThatIsFilledIn) {
   const Cloud third = filledIn(3, 0.5f);
-  EXPECT_EQ(third.valid_count, 666u);
-  EXPECT_FALSE(third.valid(0) || third.valid(3) || third.valid(999));
-  EXPECT_TRUE(third.valid(1) && third.valid(998));
+  EXPECT_EQ(third.valid_count, 6666u);
+  EXPECT_FALSE(third.valid(0) || third.valid(3) || third.valid(9999));
+  EXPECT_TRUE(third.valid(1) && third.valid(9998));
   EXPECT_EQ(filledIn(10, -1.0f).behind_count, 0u);
-  EXPECT_EQ(filledIn(200, 0.5f).valid_count, 1000u) << "that few may be a coincidence";
-  EXPECT_EQ(filledIn(1, 0.5f).valid_count, 1000u) << "all of them";
+  EXPECT_EQ(filledIn(30, 0.5f).valid_count, 9666u);
+  EXPECT_EQ(filledIn(200, 0.5f).valid_count, 10000u) << "that few may be a coincidence";
+  EXPECT_EQ(filledIn(1, 0.5f).valid_count, 10000u) << "all of them";
+}
+
+TEST(Cloud, DropsAPlaceThatIsFilledInInSomeColumnsAlone) {
+  for (const std::uint32_t first : {10u, 200u, 330u}) {
+    Cloud image = test::wallImage(640, 480, 0.002f);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const std::uint32_t column = static_cast<std::uint32_t>(i) % image.width;
+      if (first <= column && column < first + 30) image.x[i] = image.y[i] = 0.0f, image.z[i] = 0.5f;
+    }
+    image.countPoints();
+    image.dropFilledIn();
+    EXPECT_FALSE(image.valid(100u * 640u + first + 15u)) << first;
+    EXPECT_TRUE(image.valid(100u * 640u + first - 5u)) << first;
+  }
 }
 
 TEST(Cloud, KeepsPointsThatCameTwice) {
@@ -173,6 +188,9 @@ TEST(Cloud, IsConsistentWithListsAsLongAsItsSidesSay) {
   shorter.z.pop_back();
   part.ny.clear();
   without.dropNormals();
+  Cloud fewer_normals = cloud;
+  fewer_normals.nx.pop_back();
+  EXPECT_FALSE(fewer_normals.isConsistent());
   EXPECT_FALSE(higher.isConsistent());
   EXPECT_FALSE(shorter.isConsistent());
   EXPECT_FALSE(part.isConsistent());

@@ -225,5 +225,16 @@ TEST(Competition, TakesNoConeForARoundedEdgeFarAwayThatTapers) {
   EXPECT_EQ(winnerOn(Rod{0.040, kFar, kTaper, kNoise}), Kind::cone);
 }
 
+TEST(Limits, HoldNoPlaneInWhichTheSensorLies) {
+  const Params params;
+  const auto hold = [&params](double distance, double min_distance) {
+    return Limits{params, 1.0, 0.0, min_distance}.hold(Plane{Vec3(0.3, -distance, 1.0), Vec3::UnitY()});
+  };
+  EXPECT_FALSE(hold(0.004, 0.005));
+  EXPECT_FALSE(hold(-0.004, 0.005));
+  EXPECT_TRUE(hold(0.006, 0.005));
+  EXPECT_TRUE(hold(0.0, 0.0)) << "of a cloud that no sensor at the origin saw";
+}
+
 }  // namespace
 }  // namespace primitect

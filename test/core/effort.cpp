@@ -181,6 +181,7 @@ TEST(Effort, OfAllGivesTheBitsOfNone) {
   EXPECT_EQ(numbersOf(detector.detect(cloud, {1.0, {}})), without);
   EXPECT_EQ(numbersOf(detector.detect(cloud, {1.0, [] { return 1.0; }})), without);
   EXPECT_NE(numbersOf(detector.detect(cloud, {0.9, {}})), without);
+  detector.detect(cloud, {1.0, [] { return 0.3; }});
   EXPECT_EQ(numbersOf(detector.detect(cloud)), without);
 }
 
@@ -227,6 +228,22 @@ TEST(ShareInTime, ScalesTheSamplesOfTheCloserLookAlone) {
     EXPECT_EQ(detector.detect(largeTabletop(), {1.0, [none] { return none; }}).samples, 2048u) << none;
   }
   EXPECT_EQ(detector.detect(largeTabletop(), {1.0, [] { return 2.0; }}).samples, 3048u);
+}
+
+TEST(ShareInTime, IsOfTheSamplesThatACutOutImageGets) {
+  const Cloud image = test::renderedCloud(synthetic::clutteredTable(1), {}, 1, synthetic::clutterPose(1));
+  Cloud part;
+  part.reset(160, 160, false);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const std::size_t of = (200 + i / 160) * image.width + 240 + i % 160;
+    if (image.valid(of)) part.setPoint(i, image.x[of], image.y[of], image.z[of], {});
+  }
+  Detector detector{Params()};
+  const std::uint32_t all = detector.detect(part).samples;
+  const std::uint32_t none = detector.detect(part, {1.0, [] { return 0.0; }}).samples;
+  const std::uint32_t half = detector.detect(part, {1.0, [] { return 0.5; }}).samples;
+  ASSERT_LT(all - none, 2000u) << "fewer than of a whole image";
+  EXPECT_NEAR(half - none, 0.5 * (all - none), 1.0);
 }
 
 std::size_t foundOnTables(double share_in_time) {

@@ -79,7 +79,7 @@ TEST(Score, OfAPlaneThatIsSmallInTheFirstDrawDoesNotGrowLargeInLaterOnes) {
   Random random(23);
   const Plane elsewhere = {Vec3(0, 0, 5), Vec3(0, 0, -1)};
   const auto first = test::together({onAndBeside(30, 0, 0.0), test::patchOf(elsewhere, 600, 0.2, random)});
-  // The later draw has more of it than a tenth of the first one, and then twice as many that speak against it.
+  // The later draw has more of it than 8 % of the first one, and then twice as many that speak against it.
   const auto on = onAndBeside(192, 0, 0.0), beside = onAndBeside(0, 384, 4.0 * test::kNoise);
   const double without = hypothesisOf(kPlane, drawn(first, on)).score;
   EXPECT_LT(hypothesisOf(kPlane, drawn(first, test::together({on, beside}))).score, without - 100.0);
@@ -90,7 +90,7 @@ TEST(Score, OfASmallPlaneIsSpokenAgainstByAllDraws) {
   std::vector<SurfacePoint> first = onAndBeside(30, 0, 0.0);
   const double alone = hypothesisOf(kPlane, samplesWith(kNoiseModel, first)).score;
   Random random(19);
-  // Far away: the plane has less than a tenth of the first draw.
+  // Far away: the plane has less than 8 % of the first draw.
   first = test::together({first, test::patchOf(Plane{Vec3(0, 0, 5), Vec3(0, 0, -1)}, 600, 0.2, random)});
   EXPECT_LT(hypothesisOf(kPlane, drawn(first, beside)).score, alone - 100.0);
 }

@@ -225,6 +225,24 @@ TEST(LatencyGovernor, DrawsFewerTheLaterItIs) {
   }
 }
 
+TEST(LatencyGovernor, LearnsNothingFromTwoCutsAndForgetsALittle) {
+  LatencyGovernor governor(1.0, 1.0);
+  const auto frame = [&governor](double search) {  // two draws that take so long each
+    governor.beginFrame();
+    const double first = governor.shareInTime(0.2);
+    const double then = 0.2 + search * partOfRest(first);
+    const double second = governor.shareInTime(then);
+    governor.endFrame(then + search * partOfRest(second));
+    return first;
+  };
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(frame(0.3), 1.0);
+  for (int i = 0; i < 40; ++i) frame(0.55);
+  EXPECT_LT(frame(0.55), 1.0);
+  int frames = 0;
+  while (frames < 100 && frame(0.3) < 1.0) ++frames;
+  EXPECT_LT(frames, 60);
+}
+
 TEST(LatencyGovernor, SkipsTheRestOfTheSearchWhenAnyOfItWouldMissTheBound) {
   LatencyGovernor governor(1.0, kLeastShare);
   for (int i = 0; i < 20; ++i) {

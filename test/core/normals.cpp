@@ -185,6 +185,44 @@ TEST(NeighborNormals, OfPointsOnALineOrInOnePlaceAreMissing) {
   EXPECT_FALSE(planeNormal(line, all));
 }
 
+/// Of a tilted plane 1 m away, with a little noise: six rows of 200 points, 1 mm apart, so far from each other (m).
+Cloud rowsOfPlane(float apart, float noise = 0.0003f) {
+  Random random(7);
+  Cloud cloud;
+  cloud.reset(200 * 6, 1, false);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float x = 0.001f * static_cast<float>(i % 200) - 0.1f;
+    const float y = apart * (static_cast<float>(i / 200) - 2.5f);
+    const float depth = 1.0f / (1.0f - 0.4f * x - 0.3f * y) + noise * static_cast<float>(random.gaussian());
+    cloud.setPoint(i, x * depth, y * depth, depth, {});
+  }
+  return cloud;
+}
+
+TEST(NeighborNormals, OfRowsThatAreFarApartAreNotThoseOfTheScan) {
+  const auto normalsOf = [](const Cloud& cloud, bool from_origin) {
+    Samples samples;
+    drawSamples(cloud, 300, 1, samples);
+    NormalSource source;
+    source.from_origin = from_origin;
+    estimateNormals(cloud, Params(), source, samples);
+    return samples;
+  };
+  const Vec3 truth = Vec3(0.4, 0.3, -1.0).normalized();
+  // 164 neighbours are of a row and the next one, or of one alone.
+  for (const float noise : {0.0f, 0.0003f}) {  // without any, one row is a line
+    const Samples reached = normalsOf(rowsOfPlane(0.06f, noise), true);
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      ASSERT_TRUE(reached.hasNormal(i)) << noise;
+      EXPECT_LT(test::lineAngle(reached.normal(i), truth), 2.0 * kDegree) << noise;
+    }
+  }
+  const Samples alone = normalsOf(rowsOfPlane(0.3f), true);
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_FALSE(alone.hasNormal(i));
+  const Samples of_no_sensor = normalsOf(rowsOfPlane(0.3f), false);
+  for (std::size_t i = 0; i < of_no_sensor.size(); ++i) EXPECT_TRUE(of_no_sensor.hasNormal(i));
+}
+
 TEST(DepthCamera, SeesAnImageWhoseEveryPointLiesInFront) {
   Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   EXPECT_TRUE(isDepthImage(cloud));

@@ -179,5 +179,12 @@ TEST(CoplanarGroups, JoinPartsOfOneHeightAcrossThatOfAnother) {
   EXPECT_EQ(groups[1], range(120, 240));
 }
 
+TEST(PlaneParts, OfAFewHundredthsNeedNoCloserLookAndSupportNothing) {
+  EXPECT_FALSE(isLargePlane(80, 1000));
+  EXPECT_TRUE(isLargePlane(81, 1000));
+  EXPECT_FALSE(maySupport(100, 1000));
+  EXPECT_TRUE(maySupport(101, 1000));
+}
+
 }  // namespace
 }  // namespace primitect

@@ -418,7 +418,7 @@ TEST(Verification, CallsPlanesLargeByTheFirstDrawAlone) {
   const Vec3 lid = {0.3, 0.3, 1.1};
   Frame frame;
   frame.round(noisy(together({patchOf(kWall, 600, 0.4, random), plate(lid, 0.1, 0.05, 50, random)}), random));
-  // Of all samples, the wall has less than a tenth and the lid most.
+  // Of all samples, the wall has less than 8 % and the lid most.
   frame.conclude(noisy(plate(lid, 0.1, 0.05, 6000, random), random));
   const auto planes = frame.of(Kind::plane);
   ASSERT_EQ(planes.size(), 2u);

@@ -71,6 +71,16 @@ TEST_F(PointFiles, KeepRowsOfPcdsWithoutNormals) {
   expectGrid(readPointFile(path("plain.pcd")).cloud, false);
 }
 
+TEST_F(PointFiles, TakeAConstantThatWasFilledInForMissing) {
+  pcl::PointCloud<pcl::PointXYZ> points;
+  for (int i = 0; i < 600; ++i) {
+    points.push_back(i % 3 == 0 ? pcl::PointXYZ(0.0f, 0.0f, 0.5f)
+                                : pcl::PointXYZ(0.01f * static_cast<float>(i), 0.0f, 1.0f));
+  }
+  pcl::PCDWriter().writeBinary(path("filled_in.pcd"), points);
+  EXPECT_EQ(readPointFile(path("filled_in.pcd")).cloud.valid_count, 400u);
+}
+
 TEST_F(PointFiles, KeepRowsAndNormalsOfRangeGrids) {
   pcl::PCLPointCloud2 with, without;
   pcl::toPCLPointCloud2(gridWithNormals(), with);

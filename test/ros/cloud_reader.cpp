@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <array>
 #include <cstring>
 #include <vector>
 
@@ -59,6 +60,18 @@ TEST(CloudReader, ReadsAnOrganizedCloud) {
   expectGrid(cloud, 4, 3);
   EXPECT_TRUE(cloud.organized());
   EXPECT_FALSE(cloud.hasNormals());
+}
+
+TEST(CloudReader, TakesAConstantThatWasFilledInForMissing) {
+  const std::uint32_t width = 40, height = 30;
+  sensor_msgs::PointCloud2 message = plainCloud(width, height);
+  const std::array<float, 3> constant = {0.0f, 0.0f, 0.5f};
+  for (std::size_t i = 0; i < width * height; i += 3) {
+    std::memcpy(message.data.data() + i * message.point_step, constant.data(), sizeof(constant));
+  }
+  Cloud cloud;
+  EXPECT_EQ(readCloud(message, kAnyDepth, kEverything, cloud), "");
+  EXPECT_EQ(cloud.valid_count, width * height * 2 / 3);
 }
 
 TEST(CloudReader, ReadsAnUnorganizedCloud) {

@@ -122,9 +122,9 @@ class SensorFrame(unittest.TestCase):
         client = Client("/detector", timeout=PATIENCE)
         usual = client.get_configuration()["transform_patience"]
         self.assertLess(usual, LONGER_WAIT)
+        self.addCleanup(client.update_configuration, {"transform_patience": usual})
         client.update_configuration({"transform_patience": LONGER_WAIT})
-        answer = detector.ask(cloud_message(POINTS, WIDTH, IMAGE_HEIGHT, frame="elsewhere"))
-        client.update_configuration({"transform_patience": usual})
+        answer = detector.ask(cloud_message(POINTS, WIDTH, IMAGE_HEIGHT, frame="waited_for_by_this_test_alone"))
         self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
         self.assertGreaterEqual(answer.processing_time, LONGER_WAIT)
 
