@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/file_checks.h"
+#include "io/ply_grid.h"
 
 namespace primitect::io {
 namespace {
@@ -16,6 +17,7 @@ struct Property {
   std::string name;
   std::string type;         ///< by its first name: "uchar", not "uint8"
   std::uint64_t bytes = 0;  ///< a list: of its length alone, the least it takes
+  std::string item_type;    ///< of a list, as it is written
   bool list = false;
 };
 
@@ -63,6 +65,7 @@ Property parseProperty(const std::string& path, std::istringstream& words) {
   if (property.list) words >> type >> item_type;
   property.bytes = typeBytes(path, type);
   if (property.list) typeBytes(path, item_type);
+  property.item_type = item_type;
   property.type = type == "uint8" ? "uchar" : type;
   if (!(words >> property.name)) refuse(path, "a property without a name");
   return property;
@@ -173,6 +176,27 @@ void checkRangeGrid(const std::string& path, const PlyHeader& header, const Elem
   }
 }
 
+/// PCL writes to wherever its indices point. Its own writer puts the grid behind the vertices, and an empty element
+/// between them.
+void checkGridIndices(const std::string& path, const PlyHeader& header, const Element& vertex) {
+  const Element* grid = findElement(header, "range_grid");
+  if (!grid) return;
+  const Property& list = grid->properties[0];
+  const bool of_int = list.type == "uchar" && (list.item_type == "int" || list.item_type == "int32");
+  bool next_to_vertices = vertex.count == 0 || &vertex < grid;
+  for (const Element& other : header.elements) {
+    const bool before = &other < grid && &other != &vertex && other.count > 0;
+    next_to_vertices = next_to_vertices && !before;
+  }
+  if (!next_to_vertices || !of_int) {
+    throw FileError(path, "a PLY's range_grid is read only next to its vertices, of lists of uchar and int");
+  }
+  PlyGrid place = {
+      header.data_begin, vertex.count, 0, grid->count, header.format == "ascii", header.format == "binary_big_endian"};
+  for (const Property& property : vertex.properties) place.vertex_bytes += property.bytes;
+  checkPlyGrid(path, place);
+}
+
 /// The least that the data can take.
 std::uint64_t leastBytes(const PlyHeader& header) {
   std::uint64_t bytes = 0;
@@ -206,6 +230,7 @@ std::uint64_t checkPlyHead(const std::string& path, const FileHead& head) {
                               " bytes, the file has " + std::to_string(there));
   }
   if (header.format == "ascii") checkAsciiBody(path, header.data_begin, {});
+  checkGridIndices(path, header, *vertex);
   return points;
 }
 

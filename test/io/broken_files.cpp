@@ -138,7 +138,17 @@ TEST_F(BrokenFiles, AreRefusedWhenThePlyLies) {
               "more vertices than cells");
   const std::string camera = "element camera 1\nproperty int viewportx\nproperty int viewporty\n";
   expectCause("camera.ply", ply("ascii", kVertices + camera) + kText + "2 1\n", "broken or truncated PLY");
-  expectCause("beyond.ply", ply("ascii", info + kVertices + grid) + kText + "1 0\n1 1\n0\n1 2\n1 3\n1 4000000\n",
+  for (const int index : {-1, -1000000, 3, 4000000}) {
+    const std::string named = "names vertex " + std::to_string(index) + " of 3";
+    expectCause(
+        "text_grid.ply",
+        ply("ascii", info + kVertices + grid) + kText + "1 0\n1 1\n0\n1 2\n1 0\n1 " + std::to_string(index) + "\n",
+        named);
+    std::string lists = std::string(5, '\0');
+    lists += '\1' + bytesOf<std::int32_t>({index});
+    expectCause("grid_of_bytes.ply", ply("binary_little_endian", info + kVertices + grid) + kFloats + lists, named);
+  }
+  expectCause("short_grid.ply", ply("ascii", info + kVertices + grid) + kText + "1 0\n1 1\n0\n1 2\n1 0\n2 1\n",
               "broken or truncated PLY");
 }
 
