@@ -66,6 +66,7 @@ class WindowSizes {
   /// Of noise that neighbours share a window holds less that is independent. The noise in standard deviations of
   /// axialNoise(), times its grain, divided by the turn of normals (rad) that it may cause; 0: it has no grain.
   static double noisePerTurn(const NormalSource& source) {
+    // Of 200 draws of a recorded checkerboard, up to 2 m away, 4 carry a curved shape; with 0.1 instead of 0.07 nine.
     constexpr double kMostTurn = 0.15, kMostUsualTurn = 0.07;  // one standard deviation
     const double grainy = source.grain > 1.0 ? source.grain / kMostTurn : 0.0;
     const double usual = source.usual_grain > 1.0 ? source.usual_grain / kMostUsualTurn : 0.0;
