@@ -47,7 +47,8 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 /// Fills the normals of the samples: from the cloud where it brings any that are usable, else from the image window,
 /// else from the nearest neighbours. Measured normals point towards the sensor; with source.neighbor_count to the side
 /// of those that the cloud brings, where these are not to be turned. Where none can be had, or only one
-/// perpendicular to the ray of a sensor at the origin (source.from_origin), it stays missing, and that sample does not vote.
+/// perpendicular to the ray of a sensor at the origin (source.from_origin), it stays missing, and that sample does not
+/// vote.
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
 
 /// Three quarters of the normals or more: of whole objects, seen through, little more than half do.

@@ -38,7 +38,8 @@ class Verification {
   /// How many samples a shape needs at least, instead of the parameter's number.
   void setMinInliers(int count) { params_.min_inliers = count; }
 
-  /// As how many samples each speaks for a shape that is not of the first of several draws; until the next frame begins.
+  /// As how many samples each speaks for a shape that is not of the first of several draws; until the next frame
+  /// begins.
   void weighLaterDraws(double weight) { weight_ = weight; }
 
   /// Forgets the last frame.
