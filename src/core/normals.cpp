@@ -132,6 +132,7 @@ std::optional<Vec3> normalAround(const Cloud& cloud, std::uint32_t point, int co
   return std::nullopt;
 }
 
+/// keep_sides: those of normals that the samples have already.
 void fitNeighborhoods(const Cloud& cloud, int count, bool keep_sides, NormalSource& source, Samples& samples) {
   List<std::uint32_t> neighbors;
   for (std::size_t i = 0; i < samples.size(); ++i) {

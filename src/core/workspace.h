@@ -52,10 +52,6 @@ struct Detector::Workspace {
   /// Forgets the last frame and looks whether this one can be used. Returns the cloud to work on.
   const Cloud& begin(const Cloud& cloud, const Effort& frame_effort);
 
-  /// Asks the effort's owner, and remembers how large a part of the next draw there is time for. False: for none of it,
-  /// now and later in this frame.
-  bool askForTime();
-
   /// The samples of a round, with normals; false when there is nothing left to vote.
   bool prepareRound(const Cloud& cloud, int round);
 
@@ -68,6 +64,20 @@ struct Detector::Workspace {
 
   /// What is there, and how likely; refuses what is not likely enough.
   void conclude();
+
+  // Between them, and what they draw: workspace_samples.cpp.
+
+  /// Asks the effort's owner, and remembers how large a part of the next draw there is time for. False: for none of it,
+  /// now and later in this frame.
+  bool askForTime();
+  std::size_t atThisEffort(int count) const;
+  int inliersAtThisEffort(double of_samples = 1.0) const;
+  double pixelsOfSample(const Cloud& cloud);
+  std::size_t mostSamples(const Cloud& cloud);
+  double shareOfSamples() const;
+  Labeling::Rows rowsFor(const Cloud& cloud);
+  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
+  double weightOfCloserSamples(const Cloud& cloud);
 
   // The last one: workspace_measures.cpp.
 
@@ -96,14 +106,6 @@ struct Detector::Workspace {
 
   bool bringsNormals(const Cloud& cloud) const;
   void forgetResult();
-  std::size_t atThisEffort(int count) const;
-  int inliersAtThisEffort(double of_samples = 1.0) const;
-  double pixelsOfSample(const Cloud& cloud);
-  Labeling::Rows rowsFor(const Cloud& cloud);
-  std::size_t mostSamples(const Cloud& cloud);
-  double shareOfSamples() const;
-  void draw(const Cloud& cloud, const std::vector<Detection>& explaining, int count, int round);
-  double weightOfCloserSamples(const Cloud& cloud);
   void measureImageNoise(const Cloud& image);
   void distrustBentParts(const List<bool>& measured);
   void measureScale();

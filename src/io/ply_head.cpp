@@ -15,9 +15,9 @@ namespace {
 
 struct Property {
   std::string name;
-  std::string type;         ///< by its first name: "uchar", not "uint8"
+  std::string type;         ///< firstName()
   std::uint64_t bytes = 0;  ///< a list: of its length alone, the least it takes
-  std::string item_type;    ///< of a list, as it is written
+  std::string item_type;    ///< of a list, firstName()
   bool list = false;
 };
 
@@ -48,6 +48,12 @@ std::uint64_t typeBytes(const std::string& path, const std::string& type) {
   return found->second;
 }
 
+/// "uchar" and "int" for their other names: those of types that something is asked about.
+std::string firstName(const std::string& type) {
+  if (type == "uint8") return "uchar";
+  return type == "int32" ? "int" : type;
+}
+
 std::uint64_t elementCount(const std::string& path, const std::string& name, const std::string& word) {
   constexpr std::uint64_t kMax = 2147483647;  // PCL counts in int
   const bool digits = !word.empty() && word.size() <= 10 && word.find_first_not_of("0123456789") == std::string::npos;
@@ -65,8 +71,8 @@ Property parseProperty(const std::string& path, std::istringstream& words) {
   if (property.list) words >> type >> item_type;
   property.bytes = typeBytes(path, type);
   if (property.list) typeBytes(path, item_type);
-  property.item_type = item_type;
-  property.type = type == "uint8" ? "uchar" : type;
+  property.type = firstName(type);
+  property.item_type = firstName(item_type);
   if (!(words >> property.name)) refuse(path, "a property without a name");
   return property;
 }
@@ -182,13 +188,12 @@ void checkGridIndices(const std::string& path, const PlyHeader& header, const El
   const Element* grid = findElement(header, "range_grid");
   if (!grid) return;
   const Property& list = grid->properties[0];
-  const bool of_int = list.type == "uchar" && (list.item_type == "int" || list.item_type == "int32");
-  bool next_to_vertices = vertex.count == 0 || &vertex < grid;
-  for (const Element& other : header.elements) {
-    const bool before = &other < grid && &other != &vertex && other.count > 0;
-    next_to_vertices = next_to_vertices && !before;
-  }
-  if (!next_to_vertices || !of_int) {
+  const bool of_int = list.type == "uchar" && list.item_type == "int";
+  const bool behind_vertices = vertex.count == 0 || &vertex < grid;
+  const auto stands_between = [&](const Element& other) {
+    return &other < grid && &other != &vertex && other.count > 0;
+  };
+  if (!of_int || !behind_vertices || std::any_of(header.elements.begin(), header.elements.end(), stands_between)) {
     throw FileError(path, "a PLY's range_grid is read only next to its vertices, of lists of uchar and int");
   }
   PlyGrid place = {

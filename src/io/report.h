@@ -23,8 +23,8 @@ struct FileReport {
   Detections detections;
   std::optional<SensorPose> sensor;  ///< where it is not at the origin along z
   bool found_sensor = false;         ///< the image tells it
-  std::optional<double> effort;  ///< with max_latency: the share of the samples that was drawn at each draw
-  Timing timing_ms;              ///< with several runs: the medians
+  std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
+  Timing timing_ms;                  ///< with several runs: the medians
   int repeats = 1;
   Timing min_ms, max_ms;  ///< with several runs only
 };

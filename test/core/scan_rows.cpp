@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "primitect/detector.h"
 #include "synthetic/clutter.h"
