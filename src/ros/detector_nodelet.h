@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The nodelet primitect/detector: topics, parameters and time around a FramePipeline.
+// The nodelet primitect/detector: topics, parameters and warnings around a CloudSequence.
 #pragma once
 
 #include <dynamic_reconfigure/server.h>
@@ -13,12 +13,11 @@
 #include <memory>
 #include <string>
 
+#include "cloud_sequence.h"
 #include "detector_diagnostics.h"
-#include "frame_pipeline.h"
 #include "late_transform.h"
 #include "markers.h"
 #include "parameters.h"
-#include "tracking.h"
 
 namespace primitect::ros_layer {
 
@@ -41,8 +40,6 @@ class DetectorNodelet : public nodelet::Nodelet {
   void onDiagnosticsTimer();
 
   void processCloud(const sensor_msgs::PointCloud2& cloud);
-  /// Primitives in sensor_frame, or none and why that is not possible.
-  PrimitiveArray& detect(const sensor_msgs::PointCloud2& cloud);
   void publish(const PrimitiveArray& message);
   /// Once, or once more after parameters changed.
   void warnIfHopeless();
@@ -53,23 +50,17 @@ class DetectorNodelet : public nodelet::Nodelet {
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
-  /// Moves the primitives from the sensor's frame to target_frame or that of the cloud; empty, or why that is not
-  /// possible. A message without search stays in the cloud's frame: whether another can be reached was not asked.
-  std::string toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message);
-  void track(PrimitiveArray& message);
+  FramePipeline& pipeline() { return sequence_->pipeline(); }
 
   /// Callbacks are serial, but onInit() runs in another thread than they do.
   boost::recursive_mutex mutex_;
   bool started_ = false;
 
-  std::unique_ptr<FramePipeline> pipeline_;
+  std::unique_ptr<CloudSequence> sequence_;
   std::unique_ptr<DetectorDiagnostics> diagnostics_;
-  PrimitiveTracker tracker_;
   MarkerWriter marker_writer_;
   MarkerStyle marker_style_;
-  ros::Time last_stamp_;
-  std_msgs::Header sensor_header_;  ///< of the last cloud, in the frame where it was searched
-  bool with_labels_ = false;        ///< the last cloud was read for them, too
+  bool with_labels_ = false;  ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
   bool told_not_from_origin_ = false;
   bool told_found_camera_ = false;
