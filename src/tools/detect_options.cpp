@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <stdexcept>
 
 #include "primitect/kernel_choice.h"
+#include "tools/param_options.h"
 
 namespace primitect::tools {
 namespace {
@@ -38,17 +38,9 @@ constexpr const char* kFooter =
 
 /// Raw texts, checked after parsing so that the messages name parameter, value and range.
 struct RawOptions {
-  std::string intrinsics, depth_scale, sensor, preset, params, repeats;
-  std::map<std::string, std::string> values;
-  bool print_params = false;
+  std::string intrinsics, depth_scale, sensor, repeats;
   bool print_kernels = false;
 };
-
-std::string presetList() {
-  std::string list;
-  for (const std::string& name : presetNames()) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
   app.add_option("FILE", options.files, "point files or depth images")->type_name("");
@@ -63,26 +55,12 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
                  "orientation of its optical frame (z ahead, x right, y down) in the frame of the file, as tf_echo "
                  "prints them; results are in the frame of the file")
       ->type_name("\"X Y Z QX QY QZ QW\"");
-  app.add_option("--preset", raw.preset, "parameters to start from: " + presetList())->type_name("NAME");
-  app.add_option("--params", raw.params, "YAML file with a preset and parameters")->type_name("YAML");
   app.add_option("--repeat", raw.repeats, "detect N times in the same points: min, median, max of every stage")
       ->type_name("N");
-  app.add_flag("--print-params", raw.print_params, "print all parameters as a YAML file and end");
   app.add_flag(
       "--kernels", raw.print_kernels,
       "print the voting kernels that this machine can run and the one in use, and end; the environment variable "
       "PRIMITECT_KERNELS names another one");
-}
-
-void addParamOptions(CLI::App& app, RawOptions& raw) {
-  const Params defaults = presetParams("default");
-  for (const ParamInfo& info : paramTable()) {
-    if (info.group == "node") continue;
-    app.add_option("--" + info.name, raw.values[info.name],
-                   valueText(getParam(defaults, info.name)) + " (" + rangeText(info) + ")\n" + info.meaning)
-        ->type_name(" ")
-        ->group("Parameters: " + info.group);
-  }
 }
 
 std::string kernelText() {
@@ -107,14 +85,6 @@ int repeatCount(const std::string& text) {
     throw std::invalid_argument("--repeat: '" + text + "', allowed: a whole number from 1 to " + std::to_string(kMax));
   }
   return static_cast<int>(value);
-}
-
-void takeParams(const CLI::App& app, const RawOptions& raw, ParamLayers& params) {
-  if (app.count("--params")) params.addFile(raw.params);
-  if (app.count("--preset")) params.setPreset(raw.preset);
-  for (const auto& [name, text] : raw.values) {
-    if (app.count("--" + name)) params.addText(name, text);
-  }
 }
 
 void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& options) {
@@ -161,7 +131,8 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   app.get_formatter()->column_width(30);
   app.set_version_flag("--version", std::string("detect (primitect) ") + PRIMITECT_VERSION);
   addMainOptions(app, options, raw);
-  addParamOptions(app, raw);
+  ParamOptions param_options;
+  param_options.addTo(app, paramsOfGroup("node"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -169,9 +140,9 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
     app.exit(error);
     return std::nullopt;
   }
-  takeParams(app, raw, options.params);
+  param_options.take(app, options.params);
   takeMainOptions(app, raw, options);
-  if (raw.print_params) {
+  if (param_options.printWanted()) {
     std::cout << options.params.asYaml();
     return std::nullopt;
   }
