@@ -8,7 +8,7 @@ foreach(library primitect primitect_io primitect_synthetic primitect_ros)
     LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
     RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 endforeach()
-foreach(program detector synthetic_camera detect)
+foreach(program detector synthetic_camera detect detect_bag)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   endif()

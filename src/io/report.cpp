@@ -61,6 +61,9 @@ Json primitiveJson(const Detection& detection) {
   json["concave"] = detection.concave;
   json["truncated"] = truncatedJson(detection.truncated);
   json["extent"] = extentJson(detection);
+  if (detection.track_id == 0) return json;
+  json["track_id"] = detection.track_id;
+  json["age"] = detection.age;
   return json;
 }
 
@@ -118,6 +121,25 @@ Json fileJson(const FileReport& report) {
   return json;
 }
 
+Json frameObject(const FrameReport& report) {
+  const Detections& found = report.detections;
+  Json json;
+  json["stamp"] = {{"secs", report.secs}, {"nsecs", report.nsecs}};
+  json["frame_id"] = report.frame_id;
+  json["status"] = statusName(found.status);
+  json["problem"] = report.problem.empty() ? Json(nullptr) : Json(report.problem);
+  json["points_in"] = found.points_in;
+  json["points_used"] = found.points_used;
+  json["samples"] = found.samples;
+  json["processing_ms"] = report.processing_ms;
+  json["primitives"] = Json::array();
+  for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));
+  return json;
+}
+
+/// In one line. Names need not be UTF-8: bytes that are not become a replacement character instead of an exception.
+std::string dumpLine(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 bool allNumbers(const Json& list) {
   return std::all_of(list.begin(), list.end(), [](const Json& item) { return item.is_number(); });
 }
@@ -125,8 +147,7 @@ bool allNumbers(const Json& list) {
 /// One line a key, vectors on one line: a person can read it, too.
 std::string dump(const Json& json, const std::string& indent = "") {
   const bool open_up = (json.is_object() || (json.is_array() && !allNumbers(json))) && !json.empty();
-  // File names need not be UTF-8: bytes that are not become a replacement character instead of an exception.
-  if (!open_up) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (!open_up) return dumpLine(json);
   const std::string deeper = indent + "  ";
   std::string text = json.is_object() ? "{" : "[";
   for (auto item = json.begin(); item != json.end(); ++item) {
@@ -146,5 +167,7 @@ std::string reportsJson(const std::vector<FileReport>& reports) {
   for (const FileReport& report : reports) json.push_back(fileJson(report));
   return dump(json) + "\n";
 }
+
+std::string frameJson(const FrameReport& report) { return dumpLine(frameObject(report)) + "\n"; }
 
 }  // namespace primitect::io

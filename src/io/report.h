@@ -3,6 +3,7 @@
 // What was found, as JSON for programs.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,5 +40,19 @@ std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.
 std::string reportsJson(const std::vector<FileReport>& reports);
+
+/// What a cloud of a recording gave.
+struct FrameReport {
+  std::uint32_t secs = 0, nsecs = 0;  ///< stamp
+  std::string frame_id;               ///< of the detections
+  std::string problem;                ///< not empty: why there are none
+  const Detections& detections;
+  double processing_ms = 0.0;
+};
+
+/// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",
+/// "problem", "points_in", "points_used", "samples", "processing_ms", "primitives": [...]}; problem is null where there
+/// is none. Primitives as in reportJson(), those of a track also with "track_id" and "age".
+std::string frameJson(const FrameReport& report);
 
 }  // namespace primitect::io

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """bag.launch: a looped bag of clouds (time jumps back at its end), and a recorded depth camera."""
+import io
 import math
 import os
 import signal
@@ -19,6 +20,7 @@ from ros_helpers import Collector, cloud_message, wait_for, wall_and_ball
 from visualization_msgs.msg import Marker, MarkerArray
 
 FIRST_STAMP = 1000
+DETECT_BAG = os.path.join(os.environ["CMAKE_PREFIX_PATH"].split(":")[0], "lib", "primitect", "detect_bag")
 # In the folder "shared" beside the project.
 RECORDED = os.path.join(os.path.dirname(os.path.realpath(rospkg.RosPack().get_path("primitect"))), "shared", "bags",
                         "sphere406_kinect2.bag")
@@ -30,6 +32,12 @@ def write_bag(path, frames=8):
         for frame in range(frames):
             stamp = rospy.Time(FIRST_STAMP, 250000000 * (frame % 4)) + rospy.Duration(frame // 4)
             bag.write("/sensor/points", cloud_message(*points, stamp=stamp), stamp)
+
+
+def bytes_of(message):
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
 
 
 class Launched:
@@ -76,6 +84,24 @@ class Bags(unittest.TestCase):
             self.assertEqual(message.header.frame_id, "camera")
         # Everything is deleted once at the start and once a jump, not in every frame.
         self.assertLessEqual(len(cleared()), 1 + len(jumps()))
+
+    def test_give_detect_bag_what_they_give_the_node(self):
+        path, found = os.path.join(self.folder, "clouds.bag"), os.path.join(self.folder, "found.bag")
+        write_bag(path, frames=4)
+        subprocess.run([DETECT_BAG, path, "--out", found], check=True, stdout=subprocess.DEVNULL)
+        with rosbag.Bag(found) as bag:
+            offline = [message for _, message, _ in bag.read_messages("/detector/primitives")]
+        primitives = self.collect("/compared/primitives", PrimitiveArray)
+        with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=compared", "rate:=0.5", "delay:=3"):
+            self.assertTrue(wait_for(lambda: len(primitives.all()) >= len(offline)))
+        online = primitives.all()
+        self.assertEqual(len(offline), 4)
+        self.assertEqual(len(online), 4)
+        for one, other in zip(online, offline):
+            self.assertGreater(len(one.primitives), 1)
+            one.header.seq = other.header.seq = 0
+            one.processing_time = other.processing_time = 0.0
+            self.assertEqual(bytes_of(one), bytes_of(other))
 
     def test_of_a_depth_camera_show_the_ball(self):
         if not os.path.exists(RECORDED):

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Clouds of a recording, in the order in which they were recorded.
+#pragma once
+
+#include <rosbag/bag.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bag_job.h"
+
+namespace primitect::ros_layer {
+
+struct RecordedCloud {
+  ros::Time recorded;
+  std_msgs::Header header;
+  sensor_msgs::PointCloud2ConstPtr cloud;  ///< null: it could not be read
+  std::string problem;                     ///< why
+};
+
+class BagClouds {
+ public:
+  /// Opens the bags, the parts of one recording, and looks for the topic. Throws std::runtime_error naming bag and
+  /// cause, or the topics that there are; or when there is no cloud in the job's time.
+  explicit BagClouds(const BagJob& job);
+
+  const std::string& topic() const { return topic_; }
+
+  /// Throws std::runtime_error where a bag cannot be read on.
+  void forEach(const std::function<void(const RecordedCloud&)>& use) const;
+
+  const std::vector<std::unique_ptr<rosbag::Bag>>& bags() const { return bags_; }
+
+ private:
+  bool ofDepthImages() const { return !camera_info_.empty(); }
+  void chooseTopic(const BagJob& job);
+  void add(const std::vector<std::string>& topics, class rosbag::View& view) const;
+
+  std::vector<std::unique_ptr<rosbag::Bag>> bags_;
+  std::string topic_, camera_info_;  ///< the latter of depth images only
+  ros::Time begin_ = ros::TIME_MIN, end_ = ros::TIME_MAX;
+};
+
+}  // namespace primitect::ros_layer

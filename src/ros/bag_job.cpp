@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The clouds of a recording through a CloudSequence, as the nodelet does it with those of a topic.
+#include "bag_job.h"
+
+#include <optional>
+
+#include "bag_clouds.h"
+#include "bag_transforms.h"
+#include "cloud_sequence.h"
+#include "markers.h"
+#include "messages.h"
+#include "result_bag.h"
+
+namespace primitect::ros_layer {
+namespace {
+
+/// For a cloud that the bag does not give.
+PrimitiveArray unreadable(const std_msgs::Header& header) {
+  PrimitiveArray message;
+  message.header = header;
+  message.status = PrimitiveArray::REJECTED_INPUT;
+  return message;
+}
+
+MarkerStyle styleOf(const CloudSequence& sequence) {
+  const Params& params = sequence.pipeline().params();
+  return {params.marker_alpha, params.marker_lifetime, sequence.sensorPose().linear() * -Vec3::UnitY(),
+          sequence.sensorPose().translation()};
+}
+
+}  // namespace
+
+std::string detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use) {
+  const BagClouds clouds(job);
+  std::optional<BagTransforms> transforms;
+  if (!job.params.sensor_frame.empty() || !job.params.target_frame.empty()) transforms.emplace(clouds.bags());
+  CloudSequence sequence(job.params,
+                         [&transforms](const std::string& target, const std::string& source, const ros::Time& stamp) {
+                           return transforms->lookup(target, source, stamp);
+                         });
+  MarkerWriter markers;
+  std::optional<ResultBag> output;
+  if (!job.output.empty()) output.emplace(job.output);
+  std::optional<ros::Time> first;
+  clouds.forEach([&](const RecordedCloud& recorded) {
+    if (sequence.begin(recorded.header.stamp)) markers.startAnew();
+    const PrimitiveArray message = recorded.cloud ? sequence.process(*recorded.cloud) : unreadable(recorded.header);
+    if (output) output->write(recorded.recorded, message, markers.update(message, styleOf(sequence)));
+    if (recorded.cloud) sequence.pipeline().published();
+    if (!first) first = recorded.recorded;
+    const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;
+    use({recorded.recorded.toSec() - first->toSec(), message.header.stamp.sec, message.header.stamp.nsec,
+         message.header.frame_id, fromMessage(message), refused.empty() ? sequence.frameProblem() : refused,
+         1000.0 * message.processing_time});
+  });
+  if (output) output->finish();
+  return clouds.topic();
+}
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Detecting in a recording without a ROS master: what to do, and what comes of each cloud. No ROS header is needed to
+// call it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "primitect/params.h"
+#include "primitect/primitives.h"
+
+namespace primitect::ros_layer {
+
+struct BagJob {
+  std::vector<std::string> bags;  ///< the parts of one recording
+  std::string topic;              ///< of clouds or depth images; empty: the only one that there is
+  std::string camera_info;        ///< of depth images; empty: the topic beside theirs
+  double start = 0.0;             ///< s after the beginning of the recording
+  double duration = 0.0;          ///< s; 0: to its end
+  std::string output;             ///< a bag that gets primitives and markers; empty: none
+  Params params;
+};
+
+/// What came of one cloud.
+struct BagFrame {
+  double recorded = 0.0;              ///< s after the first one
+  std::uint32_t secs = 0, nsecs = 0;  ///< stamp
+  std::string frame_id;               ///< of what was found
+  const Detections& found;            ///< as the message has it, tracks included
+  std::string problem;                ///< why nothing was, where something is wrong; else empty
+  double processing_ms = 0.0;
+};
+
+/// Calls use with each frame, in the order of recording. Returns the topic that was read. The same as the nodelet makes
+/// of the same clouds and parameters, if it misses none; but transforms are known from the beginning. Throws
+/// std::runtime_error naming bag and cause, std::invalid_argument as Detector does; then there is no output.
+std::string detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use);
+
+}  // namespace primitect::ros_layer

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines and sums for a terminal.
+#include "tools/bag_text.h"
+
+#include <algorithm>
+
+#include "io/shape_text.h"
+#include "tools/format.h"
+
+namespace primitect::tools {
+namespace {
+
+using Counts = std::array<std::size_t, kKindCount>;
+
+Counts countsOf(const Detections& found) {
+  Counts counts = {};
+  for (const Detection& item : found.items) ++counts[static_cast<std::size_t>(kindOf(item.shape))];
+  return counts;
+}
+
+/// "3 planes, 1 sphere".
+std::string countsText(const Counts& counts) {
+  std::string text;
+  for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+    if (counts[kind] == 0) continue;
+    const std::string name = kindName(static_cast<Kind>(kind));
+    text += (text.empty() ? "" : ", ") + std::to_string(counts[kind]) + " " + name + (counts[kind] == 1 ? "" : "s");
+  }
+  return text;
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::string frameLine(const ros_layer::BagFrame& frame) {
+  std::string what = frame.problem;
+  if (what.empty()) what = frame.found.items.empty() ? io::reasonText(frame.found) : countsText(countsOf(frame.found));
+  return format("%9.3f s  %5.1f ms  ", frame.recorded, frame.processing_ms) + what + "\n";
+}
+
+void BagSummary::add(const ros_layer::BagFrame& frame) {
+  ++clouds_;
+  if (frame.found.status != Status::ok) return;
+  ++searched_;
+  milliseconds_.push_back(frame.processing_ms);
+  const Counts counts = countsOf(frame.found);
+  for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
+  for (const Detection& item : frame.found.items) {
+    if (item.track_id != 0) tracks_.insert(item.track_id);
+  }
+}
+
+std::string BagSummary::text(const std::string& topic) const {
+  std::string text = std::to_string(clouds_) + (clouds_ == 1 ? " cloud on " : " clouds on ") + topic + ", " +
+                     std::to_string(searched_) + " searched.";
+  if (searched_ == 0) return text + "\n";
+  text += " In the mean";
+  const auto clouds = static_cast<double>(searched_);
+  for (std::size_t kind = 0; kind < found_.size(); ++kind) {
+    const double mean = static_cast<double>(found_[kind]) / clouds;
+    text += format("%s %.1f %ss", kind == 0 ? "" : ",", mean, kindName(static_cast<Kind>(kind)));
+  }
+  if (!tracks_.empty()) text += "; " + std::to_string(tracks_.size()) + (tracks_.size() == 1 ? " track" : " tracks");
+  return text + format("; median %.1f ms.\n", medianOf(milliseconds_));
+}
+
+}  // namespace primitect::tools

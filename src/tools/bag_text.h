@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What `detect_bag` prints for people.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ros/bag_job.h"
+
+namespace primitect::tools {
+
+/// One line: when it was recorded, how many of each kind were found, or why nothing was, and the time it took.
+std::string frameLine(const ros_layer::BagFrame& frame);
+
+/// Of all clouds of a recording.
+class BagSummary {
+ public:
+  void add(const ros_layer::BagFrame& frame);
+
+  /// "51 clouds on /camera/points, 51 searched. ..."
+  std::string text(const std::string& topic) const;
+
+ private:
+  std::size_t clouds_ = 0, searched_ = 0;
+  std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
+  std::set<std::uint32_t> tracks_;
+  std::vector<double> milliseconds_;
+};
+
+}  // namespace primitect::tools

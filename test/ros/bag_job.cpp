@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Recordings are searched as topics are: clouds and depth images, transforms, tracks; and what is wrong is said.
+#include "ros/bag_job.h"
+
+#include <gtest/gtest.h>
+#include <primitect/PrimitiveArray.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ros/cloud_reader.h"
+#include "ros/depth_clouds.h"
+#include "ros/frame_pipeline.h"
+#include "ros/messages.h"
+#include "ros/synthetic_messages.h"
+#include "synthetic/frame.h"
+#include "synthetic/poses.h"
+#include "synthetic/tabletop.h"
+#include "test/io/temporary_folder.h"
+
+namespace primitect {
+namespace {
+
+using namespace ros_layer;
+
+const synthetic::PinholeCamera kCamera = synthetic::PinholeCamera().scaledTo(320, 240);
+
+std_msgs::Header headerAt(int k) {
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(1000, 100000000u * static_cast<std::uint32_t>(k));
+  return header;
+}
+
+std::vector<float> depthAt(int k) {
+  static const synthetic::World world = synthetic::tabletop(2);
+  return synthetic::renderFrame(world, kCamera, synthetic::cameraPose(0.1 * k), {}, 2, static_cast<std::uint64_t>(k))
+      .depth;
+}
+
+std::vector<Detections> foundIn(const BagJob& job) {
+  std::vector<Detections> found;
+  detectInBags(job, [&found](const BagFrame& frame) { found.push_back(frame.found); });
+  return found;
+}
+
+std::vector<std::string> problemsOf(const BagJob& job) {
+  std::vector<std::string> problems;
+  detectInBags(job, [&problems](const BagFrame& frame) { problems.push_back(frame.problem); });
+  return problems;
+}
+
+/// What keeps a job from running.
+std::string refusalOf(const BagJob& job) {
+  try {
+    detectInBags(job, [](const BagFrame&) {});
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expectSame(const Detections& a, const Detections& b) {
+  ASSERT_EQ(a.items.size(), b.items.size());
+  for (std::size_t i = 0; i < a.items.size(); ++i) {
+    EXPECT_EQ(kindOf(a.items[i].shape), kindOf(b.items[i].shape));
+    EXPECT_EQ(a.items[i].extent.origin, b.items[i].extent.origin);
+    EXPECT_EQ(a.items[i].confidence, b.items[i].confidence);
+    EXPECT_EQ(a.items[i].covariance, b.items[i].covariance);
+  }
+}
+
+class BagJobs : public test::TemporaryFolder {
+ protected:
+  /// A bag of clouds, `frames` of them from that one on.
+  std::string cloudBag(const std::string& name, int first, int frames) const {
+    rosbag::Bag bag(path(name), rosbag::bagmode::Write);
+    for (int k = first; k < first + frames; ++k) {
+      bag.write("/camera/points", headerAt(k).stamp, depthCloud(headerAt(k), depthAt(k), kCamera));
+    }
+    bag.close();
+    return path(name);
+  }
+
+  /// A bag of depth images of that encoding, with a camera_info before each.
+  std::string depthBag(const std::string& encoding,
+                       const std::string& camera_info = "/camera/depth/camera_info") const {
+    rosbag::Bag bag(path("depth.bag"), rosbag::bagmode::Write);
+    for (int k = 0; k < 2; ++k) {
+      bag.write(camera_info, headerAt(k).stamp, cameraInfo(headerAt(k), kCamera));
+      bag.write("/camera/depth/image_raw", headerAt(k).stamp, depthImage(headerAt(k), depthAt(k), kCamera, encoding));
+    }
+    bag.close();
+    return path("depth.bag");
+  }
+
+  static BagJob jobOf(const std::vector<std::string>& bags) {
+    BagJob job;
+    job.bags = bags;
+    return job;
+  }
+};
+
+TEST_F(BagJobs, FindInEachCloudWhatThePipelineFinds) {
+  const std::vector<Detections> found = foundIn(jobOf({cloudBag("clouds.bag", 0, 3)}));
+  ASSERT_EQ(found.size(), 3u);
+  FramePipeline pipeline{Params()};
+  for (int k = 0; k < 3; ++k) {
+    const Detections alone = fromMessage(pipeline.process(*depthCloud(headerAt(k), depthAt(k), kCamera)));
+    EXPECT_GT(alone.items.size(), 3u);
+    expectSame(found[static_cast<std::size_t>(k)], alone);
+  }
+}
+
+TEST_F(BagJobs, TellStampFrameAndTimeOfEachCloud) {
+  std::vector<std::uint32_t> nanoseconds;
+  std::vector<double> recorded;
+  const std::string topic = detectInBags(jobOf({cloudBag("clouds.bag", 1, 2)}), [&](const BagFrame& frame) {
+    EXPECT_EQ(frame.frame_id, "camera");
+    EXPECT_EQ(frame.secs, 1000u);
+    EXPECT_GT(frame.processing_ms, 0.0);
+    nanoseconds.push_back(frame.nsecs);
+    recorded.push_back(frame.recorded);
+  });
+  EXPECT_EQ(topic, "/camera/points");
+  EXPECT_EQ(nanoseconds, (std::vector<std::uint32_t>{100000000u, 200000000u}));
+  EXPECT_EQ(recorded[0], 0.0);
+  EXPECT_NEAR(recorded[1], 0.1, 1e-6);
+}
+
+TEST_F(BagJobs, ReadDepthImagesAsDepthImageProcMakesCloudsOfThem) {
+  const std::vector<Detections> of_depth = foundIn(jobOf({depthBag("16UC1")}));
+  ASSERT_EQ(of_depth.size(), 2u);
+  FramePipeline pipeline{Params()};
+  const auto image = depthImage(headerAt(0), depthAt(0), kCamera, "16UC1");
+  const auto cloud = cloudOf(image, *cameraInfo(headerAt(0), kCamera));
+  EXPECT_EQ(cloud->width, 320u);
+  EXPECT_EQ(cloud->height, 240u);
+  expectSame(of_depth[0], fromMessage(pipeline.process(*cloud)));
+  EXPECT_GT(of_depth[0].items.size(), 3u);
+}
+
+TEST_F(BagJobs, GiveThePixelsOfADepthImageTheirPlaces) {
+  sensor_msgs::ImagePtr image(new sensor_msgs::Image);
+  image->width = 3, image->height = 2, image->encoding = "16UC1", image->step = 8;  // two bytes of padding
+  image->data = {0xe8, 3, 0, 0, 0xd0, 7, 9, 9, 0, 0, 0xe8, 3, 0, 0, 9, 9};          // 1000 . 2000 / . 1000 . mm
+  sensor_msgs::CameraInfo camera;
+  camera.P = {100, 0, 1, 0, 0, 50, 0, 0, 0, 0, 1, 0};
+  const auto cloud = cloudOf(image, camera);
+  Cloud points;
+  ASSERT_EQ(readCloud(*cloud, DepthRange(), {false, true}, points), "");
+  EXPECT_EQ(points.valid_count, 3u);
+  const auto expectAt = [&points](std::size_t i, float x, float y, float z) {
+    EXPECT_FLOAT_EQ(points.x[i], x);
+    EXPECT_FLOAT_EQ(points.y[i], y);
+    EXPECT_FLOAT_EQ(points.z[i], z);
+  };
+  expectAt(0, -0.01f, 0.0f, 1.0f);
+  expectAt(2, 0.02f, 0.0f, 2.0f);
+  expectAt(4, 0.0f, 0.02f, 1.0f);
+}
+
+TEST_F(BagJobs, TakeSeveralBagsForOneRecordingWhoseTracksGoOn) {
+  const std::string later = cloudBag("1.bag", 2, 2), earlier = cloudBag("0.bag", 0, 2);
+  const std::vector<Detections> found = foundIn(jobOf({later, earlier}));
+  ASSERT_EQ(found.size(), 4u);
+  std::size_t went_on = 0;
+  for (const Detection& item : found[3].items) went_on += item.age == 3 ? 1 : 0;
+  EXPECT_GT(went_on, 3u);  // the table and most things on it, from the first frame on
+}
+
+TEST_F(BagJobs, BeginAndEndWhereTheyAreToldTo) {
+  BagJob job = jobOf({cloudBag("clouds.bag", 0, 4)});
+  job.start = 0.05;
+  EXPECT_EQ(foundIn(job).size(), 3u);
+  job.duration = 0.1;
+  EXPECT_EQ(foundIn(job).size(), 1u);
+  job.start = 5.0;
+  EXPECT_NE(refusalOf(job).find("no cloud"), std::string::npos);
+}
+
+TEST_F(BagJobs, KnowTheTransformsOfTheRecordingFromItsBeginning) {
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms.resize(1);
+  geometry_msgs::TransformStamped& camera_in_base = transforms.transforms[0];
+  camera_in_base.header.frame_id = "base";
+  camera_in_base.child_frame_id = "camera";
+  camera_in_base.transform.translation.x = 2.0;
+  camera_in_base.transform.rotation.w = 1.0;
+  const std::string clouds = cloudBag("clouds.bag", 0, 1);
+  {
+    rosbag::Bag late(path("late.bag"), rosbag::bagmode::Write);
+    late.write("/tf_static", ros::Time(1005), transforms);
+  }
+  BagJob job = jobOf({clouds, path("late.bag")});
+  const Detections in_camera = foundIn(job)[0];
+  job.params.target_frame = "base";
+  std::string frame_id;
+  Detections in_base;
+  detectInBags(job, [&](const BagFrame& frame) { frame_id = frame.frame_id, in_base = frame.found; });
+  EXPECT_EQ(frame_id, "base");
+  ASSERT_EQ(in_base.items.size(), in_camera.items.size());
+  for (std::size_t i = 0; i < in_base.items.size(); ++i) {
+    const Vec3 moved = in_camera.items[i].extent.origin + Vec3(2.0, 0.0, 0.0);
+    EXPECT_LT((in_base.items[i].extent.origin - moved).norm(), 1e-9);
+  }
+  job.params.target_frame = "map";
+  EXPECT_NE(problemsOf(job)[0].find("to target_frame 'map'"), std::string::npos);
+}
+
+TEST_F(BagJobs, LeaveABagOfPrimitivesAndMarkers) {
+  BagJob job = jobOf({cloudBag("clouds.bag", 0, 2)});
+  job.output = path("found.bag");
+  const std::vector<Detections> found = foundIn(job);
+  rosbag::Bag written(job.output);
+  std::size_t primitives = 0, markers = 0;
+  for (const rosbag::MessageInstance& message : rosbag::View(written)) {
+    if (const auto array = message.instantiate<PrimitiveArray>()) {
+      ASSERT_LT(primitives, found.size());
+      EXPECT_EQ(message.getTopic(), "/detector/primitives");
+      EXPECT_EQ(message.getTime(), headerAt(static_cast<int>(primitives)).stamp);
+      expectSame(fromMessage(*array), found[primitives++]);
+    } else if (const auto shown = message.instantiate<visualization_msgs::MarkerArray>()) {
+      EXPECT_EQ(message.getTopic(), "/detector/markers");
+      EXPECT_GT(shown->markers.size(), found[markers++].items.size());  // names, too
+    }
+  }
+  EXPECT_EQ(primitives, 2u);
+  EXPECT_EQ(markers, 2u);
+}
+
+TEST_F(BagJobs, LeaveNoBagWhereTheyDoNotEnd) {
+  BagJob job = jobOf({cloudBag("clouds.bag", 0, 2)});
+  job.output = path("found.bag");
+  EXPECT_THROW(detectInBags(job, [](const BagFrame&) { throw std::runtime_error("full"); }), std::runtime_error);
+  std::vector<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(path("")).parent_path()))
+    left.push_back(entry.path().filename());
+  EXPECT_EQ(left, std::vector<std::string>{"clouds.bag"});
+}
+
+TEST_F(BagJobs, SayWhichTopicsThereAreWhereNoneIsTheOne) {
+  const std::string bag = path("two.bag");
+  {
+    rosbag::Bag two(bag, rosbag::bagmode::Write);
+    for (const char* topic : {"/left/points", "/right/points"}) {
+      two.write(topic, headerAt(0).stamp, depthCloud(headerAt(0), depthAt(0), kCamera));
+    }
+  }
+  const std::string which = refusalOf(jobOf({bag}));
+  EXPECT_NE(which.find("/left/points (sensor_msgs/PointCloud2), /right/points"), std::string::npos) << which;
+  BagJob job = jobOf({bag});
+  job.topic = "/right/points";
+  EXPECT_EQ(foundIn(job).size(), 1u);
+  job.topic = "/middle/points";
+  EXPECT_NE(refusalOf(job).find("no topic /middle/points"), std::string::npos);
+}
+
+TEST_F(BagJobs, AskForTheCameraOfADepthImage) {
+  BagJob job = jobOf({depthBag("32FC1", "/elsewhere/camera_info")});
+  const std::string refusal = refusalOf(job);
+  EXPECT_NE(refusal.find("/camera/depth/camera_info is none"), std::string::npos) << refusal;
+  job.camera_info = "/elsewhere/camera_info";
+  EXPECT_GT(foundIn(job).at(0).items.size(), 3u);
+}
+
+TEST_F(BagJobs, GoOnAfterAnImageThatIsNoneOfDepths) {
+  const std::string bag = path("colour.bag");
+  {
+    rosbag::Bag colour(bag, rosbag::bagmode::Write);
+    colour.write("/camera/depth/camera_info", headerAt(0).stamp, cameraInfo(headerAt(0), kCamera));
+    sensor_msgs::ImagePtr image = depthImage(headerAt(0), depthAt(0), kCamera, "16UC1");
+    image->encoding = "rgb8";
+    colour.write("/camera/depth/image_raw", headerAt(0).stamp, image);
+    image = depthImage(headerAt(1), depthAt(1), kCamera, "16UC1");
+    image->data.resize(image->data.size() / 2);
+    colour.write("/camera/depth/image_raw", headerAt(1).stamp, image);
+    image = depthImage(headerAt(2), depthAt(2), kCamera, "16UC1");
+    colour.write("/camera/depth/image_raw", headerAt(2).stamp, image);
+  }
+  const std::vector<std::string> problems = problemsOf(jobOf({bag}));
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_NE(problems[0].find("'rgb8', expected is one of depths"), std::string::npos) << problems[0];
+  EXPECT_NE(problems[1].find("320 x 240 pixels"), std::string::npos) << problems[1];
+  EXPECT_EQ(problems[2], "");
+  EXPECT_EQ(foundIn(jobOf({bag}))[0].status, Status::rejected_input);
+}
+
+TEST_F(BagJobs, RefuseWhatIsNoBag) {
+  const std::string refusal = refusalOf(jobOf({write("no.bag", "no bag")}));
+  EXPECT_EQ(refusal.find(path("no.bag")), 0u) << refusal;
+  EXPECT_NE(refusalOf(jobOf({path("none.bag")})).find("none.bag"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace primitect

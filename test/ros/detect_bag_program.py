@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program detect_bag on a bag of a ball before a wall: what it prints and writes, and what it refuses."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rosbag
+import rospy
+from primitect.msg import Primitive, PrimitiveArray
+from ros_helpers import cloud_message, wall_and_ball
+
+PROGRAM = sys.argv.pop(1)
+
+
+class DetectBag(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.bag = self.path("clouds.bag")
+        points = wall_and_ball()
+        with rosbag.Bag(self.bag, "w") as bag:
+            for k in range(3):
+                stamp = rospy.Time(1000, 100000000 * k)
+                message = cloud_message(*points, stamp=stamp)
+                if k == 2:
+                    message.fields = message.fields[:2]
+                bag.write("/points", message, stamp)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_program(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+
+    def expect_refusal(self, code, says, *arguments):
+        done = self.run_program(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertTrue(done.stderr.startswith("detect_bag: "), done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn(says, done.stderr)
+
+    def test_prints_a_line_for_each_cloud_and_a_summary(self):
+        done = self.run_program(self.bag)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = done.stdout.splitlines()
+        self.assertEqual(len(lines), 4)
+        self.assertRegex(lines[1], r"0\.100 s +[0-9.]+ ms +1 plane, 1 sphere$")
+        self.assertIn("field 'z' is missing", lines[2])
+        self.assertRegex(lines[3], r"^3 clouds on /points, 2 searched\. In the mean 1\.0 planes, 1\.0 spheres, .*; 2 tracks; ")
+
+    def test_writes_json_a_line_for_each_cloud(self):
+        done = self.run_program(self.bag, "--json", "-")
+        frames = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([f["stamp"]["nsecs"] for f in frames], [0, 100000000, 200000000])
+        self.assertEqual([f["status"] for f in frames], ["ok", "ok", "rejected_input"])
+        self.assertEqual([f["frame_id"] for f in frames], ["camera"] * 3)
+        self.assertEqual(frames[2]["primitives"], [])
+        self.assertIn("field 'z' is missing", frames[2]["problem"])
+        self.assertIsNone(frames[0]["problem"])
+        ball = [p for p in frames[1]["primitives"] if p["type"] == "sphere"][0]
+        self.assertAlmostEqual(ball["radius"], 0.1, delta=1e-3)
+        self.assertAlmostEqual(ball["center"][2], 0.8, delta=1e-3)
+        self.assertEqual(ball["age"], 1)
+        self.assertIn(ball["track_id"], (1, 2))
+        file = self.path("found.jsonl")
+        self.assertIn("3 clouds", self.run_program(self.bag, "--json", file).stdout)
+        with open(file, encoding="utf-8") as lines:
+            written = [json.loads(line)["primitives"] for line in lines]
+        self.assertEqual(written, [f["primitives"] for f in frames])
+
+    def test_takes_parameters_of_options_and_files(self):
+        params = self.path("params.yaml")
+        with open(params, "w", encoding="utf-8") as file:
+            file.write("detect_spheres: false\ndetect_cylinders: false\ndetect_cones: false\n")
+        done = self.run_program(self.bag, "--params", params, "--max_depth", "1", "--json", "-")
+        self.assertEqual(json.loads(done.stdout.splitlines()[0])["primitives"], [])  # the wall is at 1.2 m
+        self.assertIn("max_depth: 1.0", self.run_program("--max_depth", "1", "--print-params").stdout)
+
+    def test_writes_a_bag_to_play_beside_the_recording(self):
+        found = self.path("found.bag")
+        self.assertEqual(self.run_program(self.bag, "--out", found).returncode, 0)
+        with rosbag.Bag(found) as bag:
+            arrays = [message for topic, message, _ in bag.read_messages("/detector/primitives")]
+        self.assertEqual([a.status for a in arrays], [PrimitiveArray.OK, PrimitiveArray.OK, PrimitiveArray.REJECTED_INPUT])
+        self.assertEqual(sorted(p.type for p in arrays[0].primitives), [Primitive.PLANE, Primitive.SPHERE])
+        self.assertEqual(sorted(os.listdir(self.folder)), ["clouds.bag", "found.bag"])
+
+    def test_refuses_what_is_wrong_in_one_line(self):
+        self.expect_refusal(2, "no BAG given")
+        self.expect_refusal(2, "max_depth", self.bag, "--max_depth", "-1")
+        self.expect_refusal(2, "--start", self.bag, "--start", "-1")
+        self.expect_refusal(2, "would be overwritten", self.bag, "--out", self.bag)
+        self.expect_refusal(2, "would be overwritten", self.bag, "--json", self.bag)
+        self.expect_refusal(2, "same file", self.bag, "--json", self.path("x"), "--out", self.path("x"))
+        self.expect_refusal(1, "none.bag", self.path("none.bag"))
+        self.expect_refusal(1, "/points (sensor_msgs/PointCloud2)", self.bag, "--topic", "/other")
+        self.expect_refusal(1, "nowhere", self.bag, "--out", self.path("nowhere/found.bag"))
+        self.expect_refusal(1, "nowhere", self.bag, "--json", self.path("nowhere/found.jsonl"))
+        self.expect_refusal(1, "0.2 s", self.bag, "--start", "100")
+        self.assertEqual(os.listdir(self.folder), ["clouds.bag"])
+
+
+if __name__ == "__main__":
+    unittest.main()
