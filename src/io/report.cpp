@@ -131,6 +131,7 @@ Json frameObject(const FrameReport& report) {
   json["points_in"] = found.points_in;
   json["points_used"] = found.points_used;
   json["samples"] = found.samples;
+  json["seen_from_origin"] = found.seen_from_origin;
   json["processing_ms"] = report.processing_ms;
   json["primitives"] = Json::array();
   for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));

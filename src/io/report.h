@@ -51,7 +51,7 @@ struct FrameReport {
 };
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",
-/// "problem", "points_in", "points_used", "samples", "processing_ms", "primitives": [...]}; problem is null where there
+/// "problem", "points_in", "points_used", "samples", "seen_from_origin", "processing_ms", "primitives": [...]}; problem is null where there
 /// is none. Primitives as in reportJson(), those of a track also with "track_id" and "age".
 std::string frameJson(const FrameReport& report);
 

@@ -20,6 +20,7 @@ PrimitiveArray unreadable(const std_msgs::Header& header) {
   PrimitiveArray message;
   message.header = header;
   message.status = PrimitiveArray::REJECTED_INPUT;
+  message.seen_from_origin = true;
   return message;
 }
 

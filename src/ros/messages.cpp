@@ -168,6 +168,7 @@ PrimitiveArray& MessageWriter::write(const Detections& detections, const std_msg
   message_.points_used = detections.points_used;
   message_.samples = detections.samples;
   message_.processing_time = 0.0f;
+  message_.seen_from_origin = detections.seen_from_origin;
   message_.status = static_cast<std::uint8_t>(detections.status);
   return message_;
 }
@@ -183,6 +184,7 @@ Detections fromMessage(const PrimitiveArray& message) {
   detections.points_in = message.points_in;
   detections.points_used = message.points_used;
   detections.samples = message.samples;
+  detections.seen_from_origin = message.seen_from_origin;
   return detections;
 }
 

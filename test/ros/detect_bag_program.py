@@ -61,6 +61,7 @@ class DetectBag(unittest.TestCase):
         self.assertEqual([f["stamp"]["nsecs"] for f in frames], [0, 100000000, 200000000])
         self.assertEqual([f["status"] for f in frames], ["ok", "ok", "rejected_input"])
         self.assertEqual([f["frame_id"] for f in frames], ["camera"] * 3)
+        self.assertEqual([f["seen_from_origin"] for f in frames], [True] * 3)
         self.assertEqual(frames[2]["primitives"], [])
         self.assertIn("field 'z' is missing", frames[2]["problem"])
         self.assertIsNone(frames[0]["problem"])

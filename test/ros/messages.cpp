@@ -67,6 +67,7 @@ TEST(Messages, KeepStampFrameStatusAndCounts) {
   detections.points_in = 10;
   detections.points_used = 7;
   detections.samples = 5;
+  detections.seen_from_origin = false;
   const PrimitiveArray message = toMessage(detections, someHeader());
   EXPECT_EQ(message.header.stamp, ros::Time(1, 2));
   EXPECT_EQ(message.header.frame_id, "camera");
@@ -74,6 +75,9 @@ TEST(Messages, KeepStampFrameStatusAndCounts) {
   EXPECT_EQ(message.points_in, 10u);
   EXPECT_EQ(message.points_used, 7u);
   EXPECT_EQ(message.samples, 5u);
+  EXPECT_FALSE(message.seen_from_origin);
+  EXPECT_FALSE(fromMessage(message).seen_from_origin);
+  EXPECT_TRUE(toMessage(Detections(), std_msgs::Header()).seen_from_origin);
 }
 
 TEST(Messages, HoldUnknownWhereNoStageFilledAField) {

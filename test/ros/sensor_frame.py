@@ -107,6 +107,7 @@ class SensorFrame(unittest.TestCase):
         broadcaster = tf2_ros.StaticTransformBroadcaster()
         broadcaster.sendTransform(camera_looking_ahead(HEIGHT))
         answer = found(detector, in_base)
+        self.assertTrue(answer.seen_from_origin)  # of the camera
         self.check_primitives(answer)
         self.check_labels(self.of_answer(labels, answer))
 
@@ -203,7 +204,7 @@ class SensorFrame(unittest.TestCase):
         self.assertTrue(detector.ready())
 
         def said():
-            detector.ask(wall_in_base())
+            self.assertFalse(detector.ask(wall_in_base()).seen_from_origin)
             states = [s for m in diagnostics.all() for s in m.status if s.name == "without: input"]
             warnings = [m for m in log.all() if m.name == "/without" and "set sensor_frame" in m.msg]
             return warnings and [s for s in states if s.level == 1 and "sensor_frame" in s.message and
