@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "core/normals.h"
 #include "core/random.h"
@@ -27,6 +28,18 @@ bool mayBeList(const Cloud& cloud) {
 
 }  // namespace
 
+/// One pixel behind the sensor, where min_depth is 0, would make a list of an image.
+const Cloud& Arrangement::withoutStrays(const Cloud& cloud) {
+  if (!cloud.organized() || cloud.behind_count == 0 || cloud.liesBehind()) return cloud;
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  in_front_ = cloud;
+  for (std::size_t i = 0; i < in_front_.size(); ++i) {
+    if (in_front_.z[i] <= 0.0f) in_front_.x[i] = in_front_.y[i] = in_front_.z[i] = kMissing;
+  }
+  in_front_.countPoints();
+  return in_front_;
+}
+
 const Cloud& Arrangement::asList(const Cloud& cloud) {
   if (!cloud.organized()) return cloud;
   list_ = cloud;
@@ -42,9 +55,10 @@ const Cloud& Arrangement::projectedOrList(const Cloud& cloud) {
   return is_projected_ ? projected_.image() : list;
 }
 
-const Cloud& Arrangement::of(const Cloud& cloud, bool brings_normals) {
+const Cloud& Arrangement::of(const Cloud& given, bool brings_normals) {
   is_projected_ = false;
-  seen_from_origin_ = !cloud.liesBehind();
+  seen_from_origin_ = !given.liesBehind();
+  const Cloud& cloud = withoutStrays(given);
   rays_.reset();
   if (cloud.organized() && !isNarrow(cloud)) {
     const ImageRays rays = findRays(cloud);

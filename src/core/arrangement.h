@@ -15,7 +15,8 @@ namespace primitect {
 class Arrangement {
  public:
   /// The cloud to work on, valid until the next call:
-  /// - itself, where it is the image of a camera at the origin, or a list that was none;
+  /// - itself, where it is the image of a camera at the origin, or a list that was none; of an image without the few
+  ///   points (Cloud::liesBehind()) that lie where such a camera measures nothing;
   /// - the image that its points were seen in, where a filter left a list or a sparse image of it, unless the cloud
   ///   brings normals of its own, which such an image does not hold;
   /// - else its points as a list: of rows far apart, as of a laser scanner, of fewer than five rows or columns, and of
@@ -32,12 +33,13 @@ class Arrangement {
   const ProjectedImage* projected() const { return is_projected_ ? &projected_ : nullptr; }
 
  private:
+  const Cloud& withoutStrays(const Cloud& cloud);
   const Cloud& asList(const Cloud& cloud);
   /// Of a cloud that is no image as it is: the image that its points were seen in, or a list where there is none.
   const Cloud& projectedOrList(const Cloud& cloud);
 
   ProjectedImage projected_;
-  Cloud list_;
+  Cloud list_, in_front_;
   std::optional<ImageRays> rays_;
   bool is_projected_ = false, seen_from_origin_ = true;
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -145,6 +146,28 @@ TEST(Arrangement, GivesAListInEightRowsItsImageBack) {
   ASSERT_TRUE(arrangement.projected());
   EXPECT_GT(seen.valid_count, cloud.valid_count / 2);
   EXPECT_TRUE(arrangement.seenFromOrigin());
+}
+
+TEST(ImageOfADepthCamera, StaysOneWithAFewPixelsBehindTheSensor) {
+  const Cloud image = kScene.image(5);
+  Cloud with_strays = image, without = image;
+  constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+  for (const std::size_t i : {std::size_t{7}, image.size() / 2, image.size() - 3}) {
+    with_strays.x[i] = with_strays.y[i] = 0.1f, with_strays.z[i] = -0.5f;
+    without.x[i] = without.y[i] = without.z[i] = kMissing;
+  }
+  with_strays.countPoints(), without.countPoints();
+  ASSERT_EQ(with_strays.behind_count, 3u);
+  Detector one{Params()}, other{Params()};
+  const Detections &found = one.detect(with_strays), &expected = other.detect(without);
+  EXPECT_TRUE(found.seen_from_origin);
+  EXPECT_GT(found.image_noise, 0.0) << "of depth cameras alone this is measured";
+  ASSERT_EQ(found.items.size(), expected.items.size());
+  ASSERT_GE(found.items.size(), 2u);
+  for (std::size_t i = 0; i < found.items.size(); ++i) {
+    EXPECT_EQ(found.items[i].extent.origin, expected.items[i].extent.origin);
+    EXPECT_EQ(found.items[i].inlier_count, expected.items[i].inlier_count);
+  }
 }
 
 TEST(CloudOfARobotsFrame, IsSaidToBeOneAndItsWallIsFoundAllTheSame) {
