@@ -6,8 +6,6 @@
 #include <algorithm>
 
 namespace primitect {
-namespace {}  // namespace
-
 double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma) {
   constexpr double kMost = 9.0;
   double sum = 0.0;
@@ -19,13 +17,18 @@ double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane
   return sum;
 }
 
-double misfitByNoise(const Cloud& cloud, const List<std::uint32_t>& points, const Vec3& normal) {
-  double sum = 0.0;
+double unevenness(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma) {
+  constexpr double kOfNoise = 1.323;  // the square of a normal deviate is below in three of four cases
+  if (points.empty()) return 0.0;
+  List<double> strays;
   for (const std::uint32_t i : points) {
-    const double across = normal.dot(cloud.point(i)) / cloud.z[i];
-    sum += across * across;
+    const Vec3 point = cloud.point(i);
+    const double away = distance(plane, point) / sigma(point), across = plane.normal.dot(point) / point.z();
+    strays.push_back(away * away / (across * across));
   }
-  return sum;
+  const auto quarter = strays.begin() + static_cast<std::ptrdiff_t>(strays.size() * 3 / 4);
+  std::nth_element(strays.begin(), quarter, strays.end());
+  return *quarter / kOfNoise;
 }
 
 }  // namespace primitect

@@ -17,12 +17,14 @@ namespace primitect {
 /// counts as three of these.
 double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma);
 
-/// What the misfit is in the mean where a depth camera sees a face with this normal: it errs along its rays, or rather
-/// in z.
-double misfitByNoise(const Cloud& cloud, const List<std::uint32_t>& points, const Vec3& normal);
+/// Square of the distance that three quarters of the points stay below, as a multiple of what it is where a depth camera,
+/// which errs along its rays, or rather in z, sees a face. A tenth that is not of the face, like the first pixels of the
+/// side of a can that nothing else explains, says nothing against its lid: of one it made the misfit 2.3 times that of
+/// noise. 0 where there are no points.
+double unevenness(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma);
 
-/// With a misfit of so many times what noise makes of it, and more, it is no face. The upper side of a ring, cut off by
-/// what is allowed around the plane, has 1.6 to 1.9 times as much, faces up to 1.5 times.
+/// What is more uneven than this is no face. The upper side of a ring, cut off by what is allowed around the plane, has
+/// 4 and more, small faces with an edge that nothing explains have up to 1.57.
 constexpr double kAsEven = 1.6;
 
 }  // namespace primitect

@@ -90,20 +90,20 @@ void LevelTops::findPieces(const Cloud& cloud, const List<std::uint32_t>& points
 
 void LevelTops::measurePieces(const Cloud& cloud, const Vec3& level, const PointNoise& sigma) {
   for (Piece& piece : pieces_) {
-    piece.uneven = misfit(cloud, piece.points, {piece.mean, level}, sigma);
-    piece.by_noise = misfitByNoise(cloud, piece.points, level);
+    piece.misfit = misfit(cloud, piece.points, {piece.mean, level}, sigma);
+    piece.uneven = unevenness(cloud, piece.points, {piece.mean, level}, sigma);
   }
 }
 
-/// Of no top yet, with the most points that lie level; of pieces whose misfit is less than so many times what noise
-/// makes of a face, null where there is none.
+/// Of no top yet, with the most points that lie level; of pieces that are less uneven than this, null where there is
+/// none.
 const LevelTops::Piece* LevelTops::mostLevel(double most_uneven) const {
   const Piece* best = nullptr;
   double most = -std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces_) {
     if (piece.top != kNone) continue;
-    const double agreed = static_cast<double>(piece.points.size()) - 0.5 * piece.uneven;
-    if (!(agreed > most) || !(piece.uneven < most_uneven * piece.by_noise)) continue;
+    const double agreed = static_cast<double>(piece.points.size()) - 0.5 * piece.misfit;
+    if (!(agreed > most) || !(piece.uneven < most_uneven)) continue;
     most = agreed;
     best = &piece;
   }
@@ -116,7 +116,7 @@ void LevelTops::gatherTop(const Cloud& cloud, const Plane& at, const PointNoise&
   Vec3 sum = Vec3::Zero();
   for (Piece& piece : pieces_) {
     if (piece.top != kNone) continue;
-    if (misfit(cloud, piece.points, at, sigma) > piece.uneven + margin(piece.points)) continue;
+    if (misfit(cloud, piece.points, at, sigma) > piece.misfit + margin(piece.points)) continue;
     piece.top = static_cast<int>(tops_.size());
     top.count += piece.points.size();
     sum += static_cast<double>(piece.points.size()) * piece.mean;
@@ -139,9 +139,9 @@ LevelTops::LevelTops(const Cloud& cloud, const Plane& plane, const Vec3& level, 
   if (!found) return;  // in a plane through the sensor, which sees none
   const Piece& main = *found;
   const double as_found = misfit(cloud, main.points, plane, sigma);
-  if (main.uneven > as_found + margin(main.points)) return;
+  if (main.misfit > as_found + margin(main.points)) return;
   gatherTop(cloud, {main.mean, up}, sigma);
-  const double most_uneven = kAsEven * std::max(1.0, main.uneven / main.by_noise);
+  const double most_uneven = kAsEven * std::max(1.0, main.uneven);
   while (const Piece* next = mostLevel(most_uneven)) gatherTop(cloud, {next->mean, up}, sigma);
   if (tops_.front().count == points.size()) tops_.clear();
 }

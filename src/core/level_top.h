@@ -49,8 +49,8 @@ class LevelTops {
   struct Piece {
     List<std::uint32_t> points;
     Vec3 mean = Vec3::Zero();
-    double uneven = 0.0;    ///< its misfit where it lies level
-    double by_noise = 0.0;  ///< what noise makes of it
+    double misfit = 0.0;  ///< where it lies level
+    double uneven = 0.0;  ///< its unevenness there
     int top = kNone;
   };
 

@@ -110,9 +110,7 @@ void Detector::Workspace::distrustUnevenFaces(const List<bool>& measured) {
   const PointNoise sigma(verification.fullNoise());
   const auto uneven = [&](std::size_t k) {
     if (!measured[k]) return 0.0;
-    const Plane& plane = std::get<Plane>(result.items[k].shape);
-    const List<std::uint32_t>& of_face = points[k].index;
-    return misfit(thinned.cloud(), of_face, plane, sigma) / misfitByNoise(thinned.cloud(), of_face, plane.normal);
+    return unevenness(thinned.cloud(), points[k].index, std::get<Plane>(result.items[k].shape), sigma);
   };
   std::size_t largest = result.items.size();  // those of one plane follow each other
   double most = 0.0;
