@@ -3,6 +3,7 @@
 // Numbers that things keep from frame to frame.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Sighting {
   Vec3 direction = Vec3::UnitZ();  ///< plane: normal; cylinder and cone: axis; unit
   double radius = 0.0;             ///< sphere, cylinder; cone: at the wide end of the observed part
   double reach = 0.0;              ///< half of the longest side of what was seen of a plane, cylinder or cone
+  Vec3 across = Vec3::Zero();      ///< plane: its longer side, x of the extent; unit, or zero: unknown
 };
 
 /// Of the detection's own frame.
@@ -27,7 +29,14 @@ Sighting sightingOf(const Detection& detection);
 struct Track {
   std::uint32_t id = 0;   ///< from 1 on, each given once
   std::uint32_t age = 0;  ///< frames since the first one with it
+  /// The axis of a cylinder, which has no sign of its own, or the longer side of a plane points the other way than it
+  /// did before in this track; halfTurn() lets it go on.
+  bool reversed = false;
 };
+
+/// Of a pose about an axis of its own, from which the thing looks the same: about x of a cylinder, z of a plane; of
+/// other kinds none.
+Eigen::Quaterniond halfTurn(Kind kind);
 
 /// Finds the things of the last frames again: the nearest ones of the same kind, position, direction and size, each at
 /// most once. Cylinders and cones, which noise may exchange, continue each other. The last two sightings of a thing
@@ -48,7 +57,7 @@ class Tracker {
  private:
   struct Thing {
     Track track;
-    Sighting last, before;  ///< the last two
+    Sighting last, before;  ///< the last two, the way round that the track goes on
     double seen = 0.0;      ///< s, the last one
   };
   /// A thing of before that may be a sighting.

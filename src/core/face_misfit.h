@@ -17,10 +17,10 @@ namespace primitect {
 /// counts as three of these.
 double misfit(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma);
 
-/// Square of the distance that three quarters of the points stay below, as a multiple of what it is where a depth camera,
-/// which errs along its rays, or rather in z, sees a face. A tenth that is not of the face, like the first pixels of the
-/// side of a can that nothing else explains, says nothing against its lid: of one it made the misfit 2.3 times that of
-/// noise. 0 where there are no points.
+/// Square of the distance that three quarters of the points stay below, as a multiple of what it is where a depth
+/// camera, which errs along its rays, or rather in z, sees a face. A tenth that is not of the face, like the first
+/// pixels of the side of a can that nothing else explains, says nothing against its lid: of one it made the misfit 2.3
+/// times that of noise. 0 where there are no points.
 double unevenness(const Cloud& cloud, const List<std::uint32_t>& points, const Plane& plane, const PointNoise& sigma);
 
 /// What is more uneven than this is no face. The upper side of a ring, cut off by what is allowed around the plane, has

@@ -75,7 +75,22 @@ std::optional<double> costOf(const Sighting& before, const Sighting& now, double
   return cost.sum();
 }
 
+bool isReversed(const Sighting& before, const Sighting& now) {
+  if (now.kind == Kind::cylinder) return before.direction.dot(now.direction) < 0.0;
+  return now.kind == Kind::plane && before.across.dot(now.across) < 0.0;
+}
+
+void reverse(Sighting& sighting) {
+  Vec3& reversed = sighting.kind == Kind::plane ? sighting.across : sighting.direction;
+  reversed = -reversed;
+}
+
 }  // namespace
+
+Eigen::Quaterniond halfTurn(Kind kind) {
+  if (kind == Kind::cylinder) return {0.0, 1.0, 0.0, 0.0};
+  return kind == Kind::plane ? Eigen::Quaterniond(0.0, 0.0, 0.0, 1.0) : Eigen::Quaterniond::Identity();
+}
 
 Sighting sightingOf(const Detection& detection) {
   Sighting sighting;
@@ -85,6 +100,7 @@ Sighting sightingOf(const Detection& detection) {
   sighting.direction = detection.extent.rotation.col(2);
   sighting.radius = detection.extent.radius;
   sighting.reach = 0.5 * detection.extent.size.maxCoeff();
+  if (sighting.kind == Kind::plane) sighting.across = detection.extent.rotation.col(0);
   return sighting;
 }
 
@@ -122,7 +138,10 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     thing.before = thing.last;
     thing.last = sightings[match.sighting];
     thing.seen = seconds;
-    tracks_[match.sighting] = thing.track;
+    Track& track = tracks_[match.sighting];
+    track = thing.track;
+    track.reversed = isReversed(thing.before, thing.last);
+    if (track.reversed) reverse(thing.last);
   }
   for (std::size_t s = 0; s < sightings.size(); ++s) {
     if (tracks_[s].id != 0) continue;

@@ -83,7 +83,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
   } else if (view_.seen_from_origin == false) {
     status.summary(DiagnosticStatus::WARN,
-                   "clouds are not seen from the origin of their frame: is sensor_frame right?");
+                   "clouds are not seen from the origin of their frame: set sensor_frame, or is it the right one?");
   } else if (view_.normals_face_away) {
     status.summary(DiagnosticStatus::WARN, "most normals of the clouds face away from the sensor: set orient_normals");
   } else {

@@ -45,7 +45,7 @@ void DetectorNodelet::start() {
   }
   sequence_ = std::make_unique<CloudSequence>(
       loaded.params, [this](const std::string& target, const std::string& source, const ros::Time& stamp) {
-        return late_transforms_->lookup(target, source, stamp);
+        return lookup(target, source, stamp);
       });
   writeParams(private_handle, loaded.params);
   reconfigure_ = std::make_unique<dynamic_reconfigure::Server<DetectorConfig>>(mutex_, private_handle);
@@ -121,6 +121,18 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   tellFoundCamera();
 }
 
+Eigen::Isometry3d DetectorNodelet::lookup(const std::string& target, const std::string& source,
+                                          const ros::Time& stamp) try {
+  return late_transforms_->lookup(target, source, stamp);
+} catch (const tf2::ExtrapolationException& error) {
+  throw std::runtime_error(error.what() +
+                           (" (a cloud waits transform_patience, " + valueText(pipeline().params().transform_patience) +
+                            " s, for transforms that come later than it)"));
+} catch (const tf2::LookupException& error) {
+  throw std::runtime_error(std::string(error.what()) +
+                           " (rosrun tf2_tools view_frames.py draws the frames that there are)");
+}
+
 void DetectorNodelet::warnIfNotSeenFromOrigin() {
   if (pipeline().seenFromOrigin() != false || told_not_from_origin_) return;
   told_not_from_origin_ = true;
@@ -134,10 +146,17 @@ void DetectorNodelet::warnIfNotSeenFromOrigin() {
 void DetectorNodelet::tellFoundCamera() {
   if (!pipeline().foundCamera() || told_found_camera_) return;
   told_found_camera_ = true;
-  const Eigen::Vector3d position = pipeline().foundCamera()->translation();
+  const Eigen::Isometry3d& camera = *pipeline().foundCamera();
+  const std::string& frame = sequence_->sensorHeader().frame_id;
+  constexpr double kTurned = 0.3;  // rad: more than from one optical frame of a camera to another of its own
+  if (frame.find("optical") != std::string::npos && Eigen::AngleAxisd(camera.linear()).angle() > kTurned) {
+    NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are said to be in '" << frame
+                                  << "', but their axes are not those of an optical frame (z ahead, x right, y down): "
+                                  << "what tf makes of them, as in target_frame, is turned");
+  }
+  const Eigen::Vector3d position = camera.translation();
   NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are images that were moved to frame '"
-                                << sequence_->sensorHeader().frame_id
-                                << "': searched from where their rows and columns tell that "
+                                << frame << "': searched from where their rows and columns tell that "
                                 << "the camera was, at (" << std::fixed << std::setprecision(3) << position.transpose()
                                 << ") m; sensor_frame would say it");
 }
@@ -211,10 +230,13 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
 void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level) {
   const Lock lock(mutex_);
   try {
-    pipeline().setParams(fromConfig(config, pipeline().params()));
+    const Params before = pipeline().params();
+    pipeline().setParams(fromConfig(config, before));
     if (late_transforms_) late_transforms_->setPatience(pipeline().params().transform_patience);
     told_hopeless_ = told_not_from_origin_ = told_found_camera_ = false;
-    if (level != ~std::uint32_t{0}) NODELET_INFO_STREAM(getName() << ": parameters changed");
+    if (level != ~std::uint32_t{0}) {
+      NODELET_INFO_STREAM(getName() << ": parameters changed: " << differenceText(pipeline().params(), before));
+    }
   } catch (const std::exception& error) {
     NODELET_WARN_STREAM(getName() << " keeps its parameters: " << error.what());
     copyToConfig(pipeline().params(), config);

@@ -50,6 +50,8 @@ class DetectorNodelet : public nodelet::Nodelet {
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
   void warnIfSilent();
   void startAnewIfTimeWentBack(const ros::Time& stamp);
+  /// A TransformLookup, whose errors say what can be done.
+  Eigen::Isometry3d lookup(const std::string& target, const std::string& source, const ros::Time& stamp);
   FramePipeline& pipeline() { return sequence_->pipeline(); }
 
   /// Callbacks are serial, but onInit() runs in another thread than they do.

@@ -31,6 +31,19 @@ inline Eigen::Matrix3d toRotation(const geometry_msgs::Quaternion& q) {
   return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
 }
 
+/// Of the two quaternions of a rotation the one with w >= 0, so that the same rotation gives the same bytes.
+inline geometry_msgs::Quaternion quaternionMessage(const Eigen::Matrix3d& rotation) {
+  Eigen::Quaterniond q(rotation);
+  q.normalize();
+  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
+
 /// A primitive's pose as vectors.
 struct Body {
   Vec3 origin;

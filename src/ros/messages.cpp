@@ -41,19 +41,6 @@ geometry_msgs::Point32 point32Message(const Vec3& p) {
   return point;
 }
 
-/// Of the two quaternions of a rotation the one with w >= 0, so that the same rotation gives the same bytes.
-geometry_msgs::Quaternion quaternionMessage(const Eigen::Matrix3d& rotation) {
-  Eigen::Quaterniond q(rotation);
-  q.normalize();
-  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  geometry_msgs::Quaternion message;
-  message.x = q.x();
-  message.y = q.y();
-  message.z = q.z();
-  message.w = q.w();
-  return message;
-}
-
 Shape shapeOf(const Primitive& message, const Extent& extent) {
   const Vec3 axis = extent.rotation.col(2);
   switch (message.type) {

@@ -79,11 +79,14 @@ LoadedParams loadParams(const std::map<std::string, ParamValue>& values) {
 }
 
 std::string differenceText(const LoadedParams& loaded) {
-  const Params preset = presetParams(loaded.preset);
+  return differenceText(loaded.params, presetParams(loaded.preset));
+}
+
+std::string differenceText(const Params& params, const Params& from) {
   std::string text;
   for (const ParamInfo& info : paramTable()) {
-    const ParamValue value = getParam(loaded.params, info.name);
-    if (value == getParam(preset, info.name)) continue;
+    const ParamValue value = getParam(params, info.name);
+    if (value == getParam(from, info.name)) continue;
     text += (text.empty() ? "" : ", ") + info.name + ": " + valueText(value);
   }
   return text.empty() ? "none" : text;

@@ -33,6 +33,9 @@ LoadedParams loadParams(const std::map<std::string, ParamValue>& values);
 /// "max_depth: 3.0, samples: 4096": what differs from the preset; "none" if nothing does.
 std::string differenceText(const LoadedParams& loaded);
 
+/// The same of these parameters from others.
+std::string differenceText(const Params& params, const Params& from);
+
 /// Writes every live parameter to the parameter server, where dynamic_reconfigure takes its first values from.
 void writeParams(const ros::NodeHandle& private_handle, const Params& params);
 

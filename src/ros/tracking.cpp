@@ -18,7 +18,15 @@ Sighting sightingOf(const Primitive& primitive) {
           body.origin,
           body.axis,
           primitive.radius,
-          0.5 * longest};
+          0.5 * longest,
+          primitive.type == Primitive::PLANE ? Vec3(body.rotation.col(0)) : Vec3::Zero()};
+}
+
+/// What is told in the frame of the message, outline and covariance, stays as it is.
+void turnRound(Primitive& primitive) {
+  const Body body(primitive);
+  const Eigen::Quaterniond turn = halfTurn(static_cast<Kind>(primitive.type));
+  primitive.pose.pose.orientation = quaternionMessage(body.rotation * turn.toRotationMatrix());
 }
 
 }  // namespace
@@ -29,8 +37,10 @@ void PrimitiveTracker::update(double patience, PrimitiveArray& message) {
   tracker_.setPatience(patience);
   const std::vector<Track>& tracks = tracker_.update(sightings_, message.header.stamp.toSec());
   for (std::size_t k = 0; k < tracks.size(); ++k) {
-    message.primitives[k].track_id = tracks[k].id;
-    message.primitives[k].age = tracks[k].age;
+    Primitive& primitive = message.primitives[k];
+    primitive.track_id = tracks[k].id;
+    primitive.age = tracks[k].age;
+    if (tracks[k].reversed) turnRound(primitive);
   }
 }
 

@@ -14,7 +14,8 @@ namespace primitect::ros_layer {
 /// Of one message after the other; keeps its memory.
 class PrimitiveTracker {
  public:
-  /// Fills track_id and age, by the stamp of the message and in its frame. Also for empty messages: time goes on.
+  /// Fills track_id and age, by the stamp of the message and in its frame, and turns cylinders and planes as they were
+  /// before in their track. Also for empty messages: time goes on.
   /// patience (s): see Tracker.
   void update(double patience, PrimitiveArray& message);
 

@@ -16,8 +16,8 @@ constexpr double kSigma = 0.002;  // m, along z
 
 double noise(const Vec3&) { return kSigma; }
 
-/// Of the plane z = 1 m, seen at a slant: 1000 points whose depth is off by noise and by what `bend` (m) says of a place
-/// from -1 to 1 across it, of which the last `others` are 2.5 standard deviations lower.
+/// Of the plane z = 1 m, seen at a slant: 1000 points whose depth is off by noise and by what `bend` (m) says of a
+/// place from -1 to 1 across it, of which the last `others` are 2.5 standard deviations lower.
 template <class Bend>
 double unevennessOf(const Bend& bend, int others = 0) {
   constexpr int kPoints = 1000;

@@ -128,6 +128,53 @@ TEST(Tracker, TellsThingsBySizeAndDirection) {
   EXPECT_EQ(idsOf(tracker.update({ball({0, 0, 1}, 0.08), can({1, 0, 1}, Vec3::UnitX())}, kFrame)), (Ids{3, 4}));
 }
 
+/// Whether each of these, one after the other, is told to be the other way round.
+std::vector<bool> reversedIn(const std::vector<Sighting>& sightings) {
+  Tracker tracker;
+  std::vector<bool> reversed;
+  for (std::size_t k = 0; k < sightings.size(); ++k) {
+    reversed.push_back(tracker.update({sightings[k]}, kFrame * static_cast<double>(k)).at(0).reversed);
+  }
+  return reversed;
+}
+
+TEST(Tracker, TellsWhereAnAxisOrALongerSidePointsTheOtherWay) {
+  const Vec3 lying(1.0, 0.02, 0.0), other_way(-1.0, 0.02, 0.0);
+  const Sighting tube = can({0, 0, 1}, lying.normalized()), turned = can({0, 0, 1}, other_way.normalized());
+  EXPECT_EQ(reversedIn({tube, tube, turned, turned, tube}), (std::vector<bool>{false, false, true, true, false}));
+  Sighting front = top({0, 0, 1}), back = front;
+  front.across = Vec3(0.0, 1.0, 0.0), back.across = Vec3(0.05, -1.0, 0.0).normalized();
+  EXPECT_EQ(reversedIn({front, back, front}), (std::vector<bool>{false, true, false}));
+}
+
+TEST(Tracker, GoesOnTheWayRoundThatWasTold) {
+  // By 60 deg a frame, as a sphere of noise would: each is near the one before, the last is opposite to the first.
+  std::vector<Sighting> sides(4, top({0, 0, 1}));
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const double turn = M_PI / 3.0 * static_cast<double>(k);
+    sides[k].across = Vec3(std::cos(turn), std::sin(turn), 0.0);
+  }
+  EXPECT_EQ(reversedIn(sides), (std::vector<bool>{false, false, false, false}));
+}
+
+TEST(Tracker, LeavesConesAndBallsAsTheyAre) {
+  Sighting cone = can({0, 0, 1});
+  cone.kind = Kind::cone;
+  const Sighting tube = can({0, 0, 1}, -Vec3::UnitZ());
+  // The axis of a cone points away from its apex; a tube that is taken for one again is turned with it.
+  EXPECT_EQ(reversedIn({tube, cone, tube}), (std::vector<bool>{false, false, true}));
+  EXPECT_EQ(reversedIn({ball({0, 0, 1}), ball({0, 0, 1})}), (std::vector<bool>{false, false}));
+  EXPECT_TRUE(halfTurn(Kind::cone).isApprox(Eigen::Quaterniond::Identity()));
+  EXPECT_TRUE(halfTurn(Kind::sphere).isApprox(Eigen::Quaterniond::Identity()));
+}
+
+TEST(Tracker, TurnsByHalfATurnSoThatThingsLookTheSame) {
+  EXPECT_LT((halfTurn(Kind::cylinder) * Vec3::UnitZ() + Vec3::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((halfTurn(Kind::cylinder) * Vec3::UnitX() - Vec3::UnitX()).norm(), 1e-12);  // towards the seen side
+  EXPECT_LT((halfTurn(Kind::plane) * Vec3::UnitX() + Vec3::UnitX()).norm(), 1e-12);
+  EXPECT_LT((halfTurn(Kind::plane) * Vec3::UnitZ() - Vec3::UnitZ()).norm(), 1e-12);  // the normal
+}
+
 TEST(Tracker, StartsAnewWithOne) {
   Tracker tracker;
   tracker.update({ball({0, 0, 1}), ball({1, 0, 1})}, 0.0);

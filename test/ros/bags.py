@@ -85,6 +85,19 @@ class Bags(unittest.TestCase):
         # Everything is deleted once at the start and once a jump, not in every frame.
         self.assertLessEqual(len(cleared()), 1 + len(jumps()))
 
+    def test_keep_what_was_found_when_they_were_recorded_apart_from_what_is_found_now(self):
+        path = os.path.join(self.folder, "with_results.bag")
+        write_bag(path, frames=4)
+        with rosbag.Bag(path, "a") as bag:
+            for frame in range(4):
+                stamp = rospy.Time(FIRST_STAMP, 250000000 * frame + 1000)
+                bag.write("/again/primitives", PrimitiveArray(points_in=7), stamp)
+        now, then = self.collect("/again/primitives", PrimitiveArray), self.collect("/recorded/again/primitives", PrimitiveArray)
+        with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=again", "delay:=3"):
+            self.assertTrue(wait_for(lambda: len(now.all()) >= 4 and len(then.all()) >= 4))
+        self.assertEqual([m.points_in for m in then.all()], [7] * 4)
+        self.assertEqual([m.points_in for m in now.all()], [160 * 120] * 4)
+
     def test_give_detect_bag_what_they_give_the_node(self):
         path, found = os.path.join(self.folder, "clouds.bag"), os.path.join(self.folder, "found.bag")
         write_bag(path, frames=4)

@@ -35,7 +35,6 @@ constexpr double kPatienceSeconds = 120.0;  // a loaded machine is slow
 std::vector<std::uint8_t> comparableBytes(PrimitiveArray message) {
   message.header.seq = 0;
   message.processing_time = 0.0f;
-  for (Primitive& primitive : message.primitives) primitive.track_id = primitive.age = 0;  // of the frames before
   std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
   ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(stream, message);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ros/geometry_messages.h"
+
 namespace primitect::ros_layer {
 namespace {
 
@@ -39,6 +41,26 @@ TEST(Tracks, StandInTheMessage) {
   EXPECT_EQ(next.primitives[1].track_id, 1u);
   EXPECT_EQ(next.primitives[2].track_id, 3u);
   EXPECT_EQ(next.primitives[2].age, 0u);
+}
+
+Vec3 axisOf(const Primitive& primitive, int column) { return Body(primitive).rotation.col(column); }
+
+TEST(Tracks, KeepAxesAndLongerSidesTheWayTheyWere) {
+  PrimitiveTracker tracker;
+  PrimitiveArray first = messageAt(5.0, {primitiveAt(Primitive::PLANE, 0.0), primitiveAt(Primitive::CYLINDER, 0.5)});
+  PrimitiveArray next = messageAt(5.1, first.primitives);
+  next.primitives[0].pose.pose.orientation = quaternionMessage(halfTurn(Kind::plane).toRotationMatrix());
+  next.primitives[1].pose.pose.orientation = quaternionMessage(halfTurn(Kind::cylinder).toRotationMatrix());
+  PrimitiveArray again = next;
+  again.header.stamp = ros::Time(5.2);
+  tracker.update(1.0, first);
+  for (PrimitiveArray* message : {&next, &again}) {
+    tracker.update(1.0, *message);
+    for (int column = 0; column < 3; ++column) {
+      EXPECT_LT((axisOf(message->primitives[0], column) - axisOf(first.primitives[0], column)).norm(), 1e-9);
+      EXPECT_LT((axisOf(message->primitives[1], column) - axisOf(first.primitives[1], column)).norm(), 1e-9);
+    }
+  }
 }
 
 TEST(Tracks, EndByTheStampsAlsoOfEmptyMessages) {

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which of the two files RViz is given, and that they show the same."""
+"""What launch files make of their arguments: parameters of the detector, and which of its two files RViz is given."""
 import os
 import subprocess
 import unittest
@@ -20,27 +20,48 @@ def roslaunch(file, *arguments):
     return done.stdout
 
 
+def parameters(file, *arguments):
+    """What it would set."""
+    command = ["roslaunch", "--dump-params", os.path.join(ROOT, "launch", file)]
+    return yaml.safe_load(subprocess.run(command + list(arguments), stdout=subprocess.PIPE, text=True, check=True).stdout)
+
+
 def config(name):
     with open(os.path.join(ROOT, "config", name), encoding="utf-8") as file:
         return yaml.safe_load(file)
 
 
+FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=/a.bag"),
+         ("bag.launch", "bag:=/a.bag", "depth:=/camera/depth/image_raw"))
+
+
+class LaunchParameters(unittest.TestCase):
+    def test_reach_the_detector_from_every_file(self):
+        for file in FILES:
+            told = {"max_depth": 1.5, "target_frame": "map", "preset": "paper"}
+            if "depth" not in " ".join(file):  # an image is in the camera's frame
+                told["sensor_frame"] = "lens"
+            found = parameters(*file, *("%s:=%s" % item for item in told.items()))
+            usual = parameters(*file)
+            for name, value in told.items():
+                self.assertEqual(found["/detector/" + name], value, file)
+                self.assertNotEqual(usual.get("/detector/" + name), value, file)
+
+
 class LaunchViews(unittest.TestCase):
-    FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=/a.bag"),
-             ("bag.launch", "bag:=/a.bag", "depth:=/camera/depth/image_raw"))
 
     def test_the_camera_s_is_the_default(self):
-        for file in self.FILES + (("demo.launch",),):
+        for file in FILES + (("demo.launch",),):
             self.assertIn("config/primitect.rviz", roslaunch(*file), file)
 
     def test_the_robot_s_is_that_of_its_base_and_of_whoever_asks(self):
-        for file in self.FILES:
+        for file in FILES:
             for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["view:=robot"]):
                 self.assertIn("config/robot.rviz", roslaunch(*file, *arguments), (file, arguments))
             self.assertIn("config/primitect.rviz", roslaunch(*file, "frame:=base_link", "view:=camera"), file)
 
     def test_another_one_is_refused(self):
-        for file in self.FILES:
+        for file in FILES:
             with self.assertRaisesRegex(ValueError, "view must be camera or robot, not 'bogus'"):
                 roslaunch(*file, "view:=bogus")
 
