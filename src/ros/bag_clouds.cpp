@@ -36,13 +36,10 @@ std::string listText(const Types& types) {
   return text.empty() ? "nothing" : text;
 }
 
-/// The only topic of that type; empty: there is none, or more than one.
-std::string onlyOne(const Types& types, const std::string& wanted) {
-  std::string found;
+std::vector<std::string> topicsOf(const Types& types, const std::string& wanted) {
+  std::vector<std::string> found;
   for (const auto& [topic, type] : types) {
-    if (type != wanted) continue;
-    if (!found.empty()) return "";
-    found = topic;
+    if (type == wanted) found.push_back(topic);
   }
   return found;
 }
@@ -50,9 +47,19 @@ std::string onlyOne(const Types& types, const std::string& wanted) {
 /// "/camera/depth/image_raw" -> "/camera/depth/camera_info", as image_transport has it.
 std::string cameraInfoBeside(const std::string& image) { return image.substr(0, image.rfind('/') + 1) + "camera_info"; }
 
+/// Throws std::runtime_error where its fields are others than those of this version.
 template <class Message>
 boost::shared_ptr<Message const> messageOf(const rosbag::MessageInstance& recorded) {
-  return recorded.instantiate<Message>();
+  const auto message = recorded.instantiate<Message>();
+  if (!message) throw std::runtime_error("its " + recorded.getDataType() + " has other fields than that of this ROS");
+  return message;
+}
+
+/// Null where it cannot be read: then the one before it counts.
+sensor_msgs::CameraInfoConstPtr cameraOf(const rosbag::MessageInstance& recorded) try {
+  return messageOf<sensor_msgs::CameraInfo>(recorded);
+} catch (const std::exception&) {
+  return nullptr;
 }
 
 }  // namespace
@@ -65,7 +72,7 @@ BagClouds::BagClouds(const BagJob& job) {
   begin_ = all.getBeginTime() + ros::Duration(job.start);
   if (job.duration > 0.0) end_ = begin_ + ros::Duration(job.duration);
   rosbag::View wanted;
-  add({topic_}, wanted);
+  for (const auto& bag : bags_) wanted.addQuery(*bag, rosbag::TopicQuery(topic_), begin_, end_);
   if (wanted.size() > 0) return;
   throw std::runtime_error("no cloud on " + topic_ + " in the time that is asked for; the recording lasts " +
                            valueText((all.getEndTime() - all.getBeginTime()).toSec()) + " s");
@@ -78,13 +85,21 @@ void BagClouds::chooseTopic(const BagJob& job) {
   for (const rosbag::ConnectionInfo* info : all.getConnections()) types[info->topic] = info->datatype;
   const std::string cloud = typeName<sensor_msgs::PointCloud2>(), image = typeName<sensor_msgs::Image>();
   topic_ = job.topic;
-  if (topic_.empty()) topic_ = onlyOne(types, cloud);
-  if (topic_.empty()) topic_ = onlyOne(types, image);
-  if (topic_.empty())
-    throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + listText(types));
+  if (topic_.empty()) {
+    std::vector<std::string> topics = topicsOf(types, cloud);
+    if (topics.empty()) topics = topicsOf(types, image);
+    if (topics.size() != 1) {
+      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + listText(types));
+    }
+    topic_ = topics[0];
+  }
+  if (types.count(topic_) == 0 && types.count("/" + topic_) > 0) topic_ = "/" + topic_;
   const std::string type = types.count(topic_) > 0 ? types[topic_] : "";
-  if (type == cloud) return;
   if (type.empty()) throw std::runtime_error("there is no topic " + topic_ + ", but: " + listText(types));
+  if (type == cloud && !job.camera_info.empty()) {
+    throw std::runtime_error("--camera-info is of depth images, and " + topic_ + " is a " + type);
+  }
+  if (type == cloud) return;
   if (type != image) throw std::runtime_error(topic_ + " is a " + type + ", expected is a " + cloud + " or " + image);
   camera_info_ = job.camera_info.empty() ? cameraInfoBeside(topic_) : job.camera_info;
   if (types.count(camera_info_) > 0 && types[camera_info_] == typeName<sensor_msgs::CameraInfo>()) return;
@@ -92,42 +107,48 @@ void BagClouds::chooseTopic(const BagJob& job) {
                            " is none; there is: " + listText(types));
 }
 
-void BagClouds::add(const std::vector<std::string>& topics, rosbag::View& view) const {
-  for (const auto& bag : bags_) view.addQuery(*bag, rosbag::TopicQuery(topics), begin_, end_);
+RecordedCloud BagClouds::read(const rosbag::MessageInstance& recorded, const sensor_msgs::CameraInfo* camera) const {
+  RecordedCloud cloud;
+  cloud.recorded = recorded.getTime();
+  try {
+    if (ofDepthImages()) {
+      const auto image = messageOf<sensor_msgs::Image>(recorded);
+      cloud.header = image->header;
+      if (!camera) throw std::runtime_error("no camera_info before it can be read");
+      cloud.cloud = cloudOf(image, *camera);
+    } else {
+      cloud.cloud = messageOf<sensor_msgs::PointCloud2>(recorded);
+      cloud.header = cloud.cloud->header;
+    }
+  } catch (const rosbag::BagException& error) {
+    cloud.damaged = true;
+    cloud.problem = std::string("the bag is damaged there: ") + error.what();
+  } catch (const std::exception& error) {
+    cloud.problem = error.what();
+  }
+  return cloud;
 }
 
-void BagClouds::forEach(const std::function<void(const RecordedCloud&)>& use) const try {
+/// Of cameras all count, also those before the time that is asked for.
+void BagClouds::forEach(const std::function<void(const RecordedCloud&)>& use) const {
   sensor_msgs::CameraInfoConstPtr camera;
+  rosbag::View view;
+  for (const auto& bag : bags_) {
+    view.addQuery(*bag, rosbag::TopicQuery(topic_), begin_, end_);
+    if (ofDepthImages()) view.addQuery(*bag, rosbag::TopicQuery(camera_info_), ros::TIME_MIN, end_);
+  }
   if (ofDepthImages()) {
     rosbag::View cameras;
     for (const auto& bag : bags_) cameras.addQuery(*bag, rosbag::TopicQuery(camera_info_));
-    if (cameras.size() > 0) camera = messageOf<sensor_msgs::CameraInfo>(*cameras.begin());
+    if (cameras.size() > 0) camera = cameraOf(*cameras.begin());
   }
-  rosbag::View view;
-  add(ofDepthImages() ? std::vector<std::string>{topic_, camera_info_} : std::vector<std::string>{topic_}, view);
   for (const rosbag::MessageInstance& recorded : view) {
-    if (recorded.getTopic() != topic_) {
-      camera = messageOf<sensor_msgs::CameraInfo>(recorded);
-      continue;
+    if (recorded.getTopic() == topic_) {
+      use(read(recorded, camera.get()));
+    } else if (const auto newer = cameraOf(recorded)) {
+      camera = newer;
     }
-    RecordedCloud cloud;
-    cloud.recorded = recorded.getTime();
-    try {
-      if (ofDepthImages()) {
-        const auto image = messageOf<sensor_msgs::Image>(recorded);
-        cloud.header = image->header;
-        cloud.cloud = cloudOf(image, *camera);
-      } else {
-        cloud.cloud = messageOf<sensor_msgs::PointCloud2>(recorded);
-        cloud.header = cloud.cloud->header;
-      }
-    } catch (const std::exception& error) {
-      cloud.problem = error.what();
-    }
-    use(cloud);
   }
-} catch (const rosbag::BagException& error) {
-  throw std::runtime_error(std::string("the recording cannot be read on: ") + error.what());
 }
 
 }  // namespace primitect::ros_layer

@@ -4,10 +4,13 @@
 #pragma once
 
 #include <rosbag/bag.h>
+#include <rosbag/message_instance.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +20,10 @@ namespace primitect::ros_layer {
 
 struct RecordedCloud {
   ros::Time recorded;
-  std_msgs::Header header;
+  std::optional<std_msgs::Header> header;  ///< none: not even this could be read
   sensor_msgs::PointCloud2ConstPtr cloud;  ///< null: it could not be read
   std::string problem;                     ///< why
+  bool damaged = false;                    ///< it is the bag that cannot be read there
 };
 
 class BagClouds {
@@ -30,7 +34,6 @@ class BagClouds {
 
   const std::string& topic() const { return topic_; }
 
-  /// Throws std::runtime_error where a bag cannot be read on.
   void forEach(const std::function<void(const RecordedCloud&)>& use) const;
 
   const std::vector<std::unique_ptr<rosbag::Bag>>& bags() const { return bags_; }
@@ -38,7 +41,7 @@ class BagClouds {
  private:
   bool ofDepthImages() const { return !camera_info_.empty(); }
   void chooseTopic(const BagJob& job);
-  void add(const std::vector<std::string>& topics, class rosbag::View& view) const;
+  RecordedCloud read(const rosbag::MessageInstance& recorded, const sensor_msgs::CameraInfo* camera) const;
 
   std::vector<std::unique_ptr<rosbag::Bag>> bags_;
   std::string topic_, camera_info_;  ///< the latter of depth images only

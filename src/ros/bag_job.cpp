@@ -16,9 +16,9 @@ namespace primitect::ros_layer {
 namespace {
 
 /// For a cloud that the bag does not give.
-PrimitiveArray unreadable(const std_msgs::Header& header) {
+PrimitiveArray unreadable(const RecordedCloud& cloud) {
   PrimitiveArray message;
-  message.header = header;
+  message.header = cloud.header.value_or(std_msgs::Header());
   message.status = PrimitiveArray::REJECTED_INPUT;
   message.seen_from_origin = true;
   return message;
@@ -32,7 +32,7 @@ MarkerStyle styleOf(const CloudSequence& sequence) {
 
 }  // namespace
 
-std::string detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use) {
+BagOutcome detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use) {
   const BagClouds clouds(job);
   std::optional<BagTransforms> transforms;
   if (!job.params.sensor_frame.empty() || !job.params.target_frame.empty()) transforms.emplace(clouds.bags());
@@ -45,18 +45,18 @@ std::string detectInBags(const BagJob& job, const std::function<void(const BagFr
   if (!job.output.empty()) output.emplace(job.output);
   std::optional<ros::Time> first;
   clouds.forEach([&](const RecordedCloud& recorded) {
-    if (sequence.begin(recorded.header.stamp)) markers.startAnew();
-    const PrimitiveArray message = recorded.cloud ? sequence.process(*recorded.cloud) : unreadable(recorded.header);
+    if (recorded.header && sequence.begin(recorded.header->stamp)) markers.startAnew();
+    const PrimitiveArray message = recorded.cloud ? sequence.process(*recorded.cloud) : unreadable(recorded);
     if (output) output->write(recorded.recorded, message, markers.update(message, styleOf(sequence)));
     if (recorded.cloud) sequence.pipeline().published();
     if (!first) first = recorded.recorded;
     const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;
     use({recorded.recorded.toSec() - first->toSec(), message.header.stamp.sec, message.header.stamp.nsec,
          message.header.frame_id, fromMessage(message), refused.empty() ? sequence.frameProblem() : refused,
-         1000.0 * message.processing_time});
+         recorded.damaged, 1000.0 * message.processing_time});
   });
   if (output) output->finish();
-  return clouds.topic();
+  return {clouds.topic(), transforms ? transforms->unusable() : 0};
 }
 
 }  // namespace primitect::ros_layer

@@ -32,12 +32,19 @@ struct BagFrame {
   std::string frame_id;               ///< of what was found
   const Detections& found;            ///< as the message has it, tracks included
   std::string problem;                ///< why nothing was, where something is wrong; else empty
+  bool damaged = false;               ///< the bag cannot be read there
   double processing_ms = 0.0;
 };
 
-/// Calls use with each frame, in the order of recording. Returns the topic that was read. The same as the nodelet makes
-/// of the same clouds and parameters, if it misses none; but transforms are known from the beginning. Throws
-/// std::runtime_error naming bag and cause, std::invalid_argument as Detector does; then there is no output.
-std::string detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use);
+/// Of a whole job.
+struct BagOutcome {
+  std::string topic;                    ///< that was read
+  std::size_t unusable_transforms = 0;  ///< that could not be read, or are none
+};
+
+/// Calls use with each frame, in the order of recording. The same as the nodelet makes of the same clouds and
+/// parameters, if it misses none; but transforms are known from the beginning. Throws std::runtime_error naming bag
+/// and cause, std::invalid_argument as Detector does, and what use throws; then there is no output.
+BagOutcome detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use);
 
 }  // namespace primitect::ros_layer

@@ -12,25 +12,30 @@
 
 namespace primitect::ros_layer {
 
-BagTransforms::BagTransforms(const std::vector<std::unique_ptr<rosbag::Bag>>& bags) try {
-  // A transform is forgotten when one that is newer by this has come; ros::Duration has 68 years.
-  constexpr double kForever = 2e9;  // s
-  transforms_ = std::make_unique<tf2::BufferCore>(ros::Duration(kForever));
+BagTransforms::BagTransforms(const std::vector<std::unique_ptr<rosbag::Bag>>& bags) {
+  // A transform is forgotten when one that is newer by this has come. Stamps and this together have 32 bits.
+  constexpr double kThirtyYears = 1e9;  // s
+  transforms_ = std::make_unique<tf2::BufferCore>(ros::Duration(kThirtyYears));
   rosbag::View view;
   const std::vector<std::string> topics = {"/tf", "tf", "/tf_static", "tf_static"};
   for (const auto& bag : bags) view.addQuery(*bag, rosbag::TopicQuery(topics));
-  for (const rosbag::MessageInstance& recorded : view) {
-    const auto message = recorded.instantiate<tf2_msgs::TFMessage>();
-    if (!message) continue;  // tf's own type, which has the same fields, has the same sum, too
-    const bool is_static = recorded.getTopic().find("static") != std::string::npos;
-    for (const auto& transform : message->transforms) transforms_->setTransform(transform, "bag", is_static);
+  for (const rosbag::MessageInstance& recorded : view) add(recorded);
+}
+
+void BagTransforms::add(const rosbag::MessageInstance& recorded) try {
+  const auto message = recorded.instantiate<tf2_msgs::TFMessage>();  // that of tf has the same fields, and sum
+  if (!message) throw std::runtime_error("no transforms");
+  const bool is_static = recorded.getTopic().find("static") != std::string::npos;
+  for (const auto& transform : message->transforms) {
+    ++(transforms_->setTransform(transform, "bag", is_static) ? usable_ : unusable_);
   }
-} catch (const rosbag::BagException& error) {
-  throw std::runtime_error(std::string("transforms of the recording cannot be read: ") + error.what());
+} catch (const std::exception&) {  // of the bag, of a message, of a stamp
+  ++unusable_;
 }
 
 Eigen::Isometry3d BagTransforms::lookup(const std::string& target, const std::string& source,
                                         const ros::Time& stamp) const {
+  if (usable_ == 0) throw std::runtime_error("the recording holds no transforms on /tf or /tf_static");
   return isometryOf(transforms_->lookupTransform(frameName(target), frameName(source), stamp).transform);
 }
 

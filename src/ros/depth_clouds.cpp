@@ -28,6 +28,11 @@ void checkImage(const sensor_msgs::Image& depth) {
                              "', expected is one of depths: 16UC1 (mm) or 32FC1 (m)");
   }
   if (depth.is_bigendian) throw std::runtime_error("the image is big-endian, expected is little-endian");
+  constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 24;  // as of clouds
+  if (std::uint64_t{depth.width} * depth.height > kMostPixels) {
+    throw std::runtime_error("the image has " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
+                             " pixels, expected are at most " + std::to_string(kMostPixels));
+  }
   const std::uint64_t pixel = metres ? sizeof(float) : sizeof(std::uint16_t);
   const bool rows_fit = depth.step >= pixel * depth.width && depth.step % pixel == 0;
   if (rows_fit && depth.data.size() >= std::uint64_t{depth.step} * depth.height) return;

@@ -52,7 +52,7 @@ void BagSummary::add(const ros_layer::BagFrame& frame) {
   const Counts counts = countsOf(frame.found);
   for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
   for (const Detection& item : frame.found.items) {
-    if (item.track_id != 0) tracks_.insert(item.track_id);
+    tracks_ += item.track_id != 0 && item.age == 0 ? 1 : 0;
   }
 }
 
@@ -66,7 +66,7 @@ std::string BagSummary::text(const std::string& topic) const {
     const double mean = static_cast<double>(found_[kind]) / clouds;
     text += format("%s %.1f %ss", kind == 0 ? "" : ",", mean, kindName(static_cast<Kind>(kind)));
   }
-  if (!tracks_.empty()) text += "; " + std::to_string(tracks_.size()) + (tracks_.size() == 1 ? " track" : " tracks");
+  if (tracks_ > 0) text += "; " + std::to_string(tracks_) + (tracks_ == 1 ? " track" : " tracks");
   return text + format("; median %.1f ms.\n", medianOf(milliseconds_));
 }
 

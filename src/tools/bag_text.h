@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -27,7 +26,7 @@ class BagSummary {
  private:
   std::size_t clouds_ = 0, searched_ = 0;
   std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
-  std::set<std::uint32_t> tracks_;
+  std::size_t tracks_ = 0;                          ///< that began
   std::vector<double> milliseconds_;
 };
 

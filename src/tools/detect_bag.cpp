@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // detect_bag BAG...: finds primitives in the clouds of a recording; see --help.
+#include <csignal>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -20,16 +21,13 @@ enum ExitCode : int { kOk = 0, kBadFile = 1, kBadUsage = 2 };
 /// A line for each cloud, in a file or on standard output; or nowhere.
 class JsonLines {
  public:
-  explicit JsonLines(const std::string& path) : path_(path) {
-    if (path.empty() || toStdout()) return;
-    file_.open(path);
-    check();
-  }
+  explicit JsonLines(const std::string& path) : path_(path) {}
 
   bool toStdout() const { return path_ == "-"; }
 
   void write(const BagFrame& frame) {
     if (path_.empty()) return;
+    if (!toStdout() && !file_.is_open()) file_.open(path_);  // an older one stays until there is something new
     std::ostream& out = toStdout() ? std::cout : file_;
     out << primitect::io::frameJson(
         {frame.secs, frame.nsecs, frame.frame_id, frame.problem, frame.found, frame.processing_ms});
@@ -51,17 +49,28 @@ class JsonLines {
   std::ofstream file_;
 };
 
+volatile std::sig_atomic_t interrupted = 0;
+
 int run(const tools::DetectBagOptions& options) {
   JsonLines json(options.json);
   tools::BagSummary summary;
-  const std::string topic = primitect::ros_layer::detectInBags(options.job, [&](const BagFrame& frame) {
+  bool damaged = false;
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const auto use = [&](const BagFrame& frame) {
+    if (interrupted) throw std::runtime_error("interrupted; no bag is left");
     json.write(frame);
     summary.add(frame);
+    damaged = damaged || frame.damaged;
     if (!json.toStdout()) std::cout << tools::frameLine(frame) << std::flush;
-  });
+  };
+  const primitect::ros_layer::BagOutcome outcome = primitect::ros_layer::detectInBags(options.job, use);
   json.finish();
-  if (!json.toStdout()) std::cout << summary.text(topic);
-  return kOk;
+  if (!json.toStdout()) std::cout << summary.text(outcome.topic);
+  if (outcome.unusable_transforms > 0) {
+    std::cerr << "detect_bag: " << outcome.unusable_transforms << " transforms could not be used\n";
+  }
+  if (!(std::cout << std::flush)) throw std::runtime_error("standard output cannot be written");
+  return damaged ? kBadFile : kOk;
 }
 
 }  // namespace

@@ -15,33 +15,58 @@ namespace primitect::tools {
 namespace {
 
 constexpr const char* kDescription =
-    "Finds planes, spheres, cylinders and cones in the clouds of a recorded bag, without a ROS master and as fast as "
-    "it "
-    "can:\n"
-    "every cloud is searched, with the result that the node has for it.";
+    "Finds planes, spheres, cylinders and cones in every cloud of a recording, without a ROS\n"
+    "master and as fast as it can, with the result that the node has for it.";
 
 constexpr const char* kFooter =
     "\nSeveral BAGs are the parts of one recording, as rosbag record --split makes them.\n"
-    "sensor_frame and target_frame are reached by the transforms that the recording holds, all known from its "
-    "beginning.\n"
-    "Parameters: the preset, then the --params file, then the options; --preset replaces the preset of the file.\n"
-    "--json: a line for each cloud, an object with stamp, frame_id, status and primitives. Metres, radians.\n"
-    "--out: /detector/primitives and /detector/markers; rosbag play BAG FILE.bag shows both in RViz.\n"
-    "Exit code: 0 all clouds were searched or say why not, 1 a bag could not be read or written, 2 the command line or "
-    "a\n"
-    "parameter is wrong.";
+    "sensor_frame and target_frame are reached by the transforms of the recording, all known\n"
+    "from its beginning.\n"
+    "Parameters: the preset, then the --params file, then the options; --preset replaces the\n"
+    "preset of the file.\n"
+    "--json: a line for each cloud, an object with stamp, frame_id, status and primitives, in\n"
+    "metres and radians.\n"
+    "--out: /detector/primitives and /detector/markers, to be played beside the recording.\n"
+    "Exit code: 0 all clouds were searched or say why not, 1 a bag could not be read (or not\n"
+    "all of it) or written, 2 the command line or a parameter is wrong.";
 
-void refuseOverwriting(const DetectBagOptions& options) {
-  if (!options.json.empty() && options.json == options.job.output) {
-    throw std::invalid_argument("--json and --out: " + options.json + " is the same file");
-  }
-  for (const std::string& output : {options.json, options.job.output}) {
-    for (const std::string& bag : options.job.bags) {
-      std::error_code none_such;
-      if (output.empty() || !std::filesystem::equivalent(output, bag, none_such)) continue;
-      throw std::invalid_argument(output + " is what is read, it would be overwritten");
+namespace fs = std::filesystem;
+
+bool isSameFile(const std::string& one, const std::string& other) {
+  std::error_code none_such;
+  return fs::weakly_canonical(one) == fs::weakly_canonical(other) || fs::equivalent(one, other, none_such);
+}
+
+void refuseRepeated(const std::vector<std::string>& bags) {
+  for (std::size_t k = 0; k < bags.size(); ++k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      if (isSameFile(bags[k], bags[other])) throw std::invalid_argument(bags[k] + " is named twice");
     }
   }
+}
+
+/// A bag is written under another name first, and then takes the place of what has its own.
+void checkOutputs(const DetectBagOptions& options) {
+  const std::string &json = options.json, &out = options.job.output;
+  std::vector<std::string> written;
+  if (!json.empty() && json != "-") written.push_back(json);
+  if (!out.empty()) written.insert(written.end(), {out, out + ".part"});
+  for (const std::string& output : written) {
+    for (const std::string& bag : options.job.bags) {
+      if (isSameFile(output, bag)) throw std::invalid_argument(output + " is what is read, it would be overwritten");
+    }
+  }
+  if (!json.empty() && !out.empty() && isSameFile(json, out)) {
+    throw std::invalid_argument("--json and --out: " + out + " is the same file");
+  }
+  const bool replaces_other = !out.empty() && fs::exists(out) && !fs::is_regular_file(out);
+  if (out == "-" || replaces_other) throw std::invalid_argument("--out: " + out + " is no file, expected is one");
+}
+
+void checkSeconds(const std::string& option, double seconds) {
+  constexpr double kMost = 1e9;
+  if (0.0 <= seconds && seconds <= kMost) return;
+  throw std::invalid_argument(option + ": " + valueText(seconds) + ", allowed: 0 to " + valueText(kMost) + " s");
 }
 
 }  // namespace
@@ -58,8 +83,8 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   app.add_option("--topic", job.topic, "clouds or depth images; the only one there is need not be named")
       ->type_name("TOPIC");
   app.add_option("--camera-info", job.camera_info, "of depth images (camera_info beside them)")->type_name("TOPIC");
-  app.add_option("--start", job.start, "leave out the first S seconds")->check(CLI::Range(0.0, 1e9))->type_name("S");
-  app.add_option("--duration", job.duration, "read S seconds; 0: all")->check(CLI::Range(0.0, 1e9))->type_name("S");
+  app.add_option("--start", job.start, "leave out the first S seconds")->type_name("S");
+  app.add_option("--duration", job.duration, "read S seconds; 0: all")->type_name("S");
   app.add_option("--json", options.json, "write what was found, a line for each cloud; - is standard output")
       ->type_name("FILE|-");
   app.add_option("--out", job.output, "write primitives and markers as a bag")->type_name("FILE.bag");
@@ -80,7 +105,10 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   job.params = params.asSaid();
   checkParams(job.params);
   if (job.bags.empty()) throw std::invalid_argument("no BAG given (see --help)");
-  refuseOverwriting(options);
+  checkSeconds("--start", job.start);
+  checkSeconds("--duration", job.duration);
+  refuseRepeated(job.bags);
+  checkOutputs(options);
   return options;
 }
 

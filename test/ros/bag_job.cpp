@@ -10,6 +10,7 @@
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -38,6 +39,9 @@ std_msgs::Header headerAt(int k) {
   header.stamp = ros::Time(1000, 100000000u * static_cast<std::uint32_t>(k));
   return header;
 }
+
+/// Somewhat later than it was taken.
+ros::Time recordedAt(int k) { return headerAt(k).stamp + ros::Duration(0.03); }
 
 std::vector<float> depthAt(int k) {
   static const synthetic::World world = synthetic::tabletop(2);
@@ -83,7 +87,7 @@ class BagJobs : public test::TemporaryFolder {
   std::string cloudBag(const std::string& name, int first, int frames) const {
     rosbag::Bag bag(path(name), rosbag::bagmode::Write);
     for (int k = first; k < first + frames; ++k) {
-      bag.write("/camera/points", headerAt(k).stamp, depthCloud(headerAt(k), depthAt(k), kCamera));
+      bag.write("/camera/points", recordedAt(k), depthCloud(headerAt(k), depthAt(k), kCamera));
     }
     bag.close();
     return path(name);
@@ -122,27 +126,27 @@ TEST_F(BagJobs, FindInEachCloudWhatThePipelineFinds) {
 TEST_F(BagJobs, TellStampFrameAndTimeOfEachCloud) {
   std::vector<std::uint32_t> nanoseconds;
   std::vector<double> recorded;
-  const std::string topic = detectInBags(jobOf({cloudBag("clouds.bag", 1, 2)}), [&](const BagFrame& frame) {
+  const BagOutcome outcome = detectInBags(jobOf({cloudBag("clouds.bag", 1, 2)}), [&](const BagFrame& frame) {
     EXPECT_EQ(frame.frame_id, "camera");
     EXPECT_EQ(frame.secs, 1000u);
     EXPECT_GT(frame.processing_ms, 0.0);
     nanoseconds.push_back(frame.nsecs);
     recorded.push_back(frame.recorded);
   });
-  EXPECT_EQ(topic, "/camera/points");
+  EXPECT_EQ(outcome.topic, "/camera/points");
+  EXPECT_EQ(outcome.unusable_transforms, 0u);
   EXPECT_EQ(nanoseconds, (std::vector<std::uint32_t>{100000000u, 200000000u}));
   EXPECT_EQ(recorded[0], 0.0);
   EXPECT_NEAR(recorded[1], 0.1, 1e-6);
 }
 
-TEST_F(BagJobs, ReadDepthImagesAsDepthImageProcMakesCloudsOfThem) {
+TEST_F(BagJobs, SearchTheCloudsOfDepthImages) {
   const std::vector<Detections> of_depth = foundIn(jobOf({depthBag("16UC1")}));
   ASSERT_EQ(of_depth.size(), 2u);
   FramePipeline pipeline{Params()};
   const auto image = depthImage(headerAt(0), depthAt(0), kCamera, "16UC1");
   const auto cloud = cloudOf(image, *cameraInfo(headerAt(0), kCamera));
-  EXPECT_EQ(cloud->width, 320u);
-  EXPECT_EQ(cloud->height, 240u);
+  EXPECT_EQ(cloud->header.frame_id, "camera");
   expectSame(of_depth[0], fromMessage(pipeline.process(*cloud)));
   EXPECT_GT(of_depth[0].items.size(), 3u);
 }
@@ -215,6 +219,98 @@ TEST_F(BagJobs, KnowTheTransformsOfTheRecordingFromItsBeginning) {
   EXPECT_NE(problemsOf(job)[0].find("to target_frame 'map'"), std::string::npos);
 }
 
+/// The camera's frame, which moves along x by 1 m a second.
+tf2_msgs::TFMessage cameraInBase(const ros::Time& stamp) {
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  message.transforms[0].header.frame_id = "base";
+  message.transforms[0].header.stamp = stamp;
+  message.transforms[0].child_frame_id = "camera";
+  message.transforms[0].transform.translation.x = (stamp - headerAt(0).stamp).toSec();
+  message.transforms[0].transform.rotation.w = 1.0;
+  return message;
+}
+
+TEST_F(BagJobs, FollowTransformsThatMoveWhateverTheirOrder) {
+  const std::string clouds = cloudBag("clouds.bag", 0, 3);
+  {
+    rosbag::Bag moving(path("tf.bag"), rosbag::bagmode::Write);
+    for (const int k : {3, 0, 1}) moving.write("/tf", recordedAt(5), cameraInBase(headerAt(k).stamp));
+    tf2_msgs::TFMessage broken = cameraInBase(headerAt(0).stamp);
+    broken.transforms[0].header.stamp = ros::Time(4294967295u, 0);  // tf2 would reach beyond 32 bits of seconds
+    moving.write("/tf", recordedAt(5), broken);
+  }
+  BagJob job = jobOf({clouds, path("tf.bag")});
+  const std::vector<Detections> in_camera = foundIn(job);
+  job.params.target_frame = "base";
+  std::vector<Detections> in_base;
+  const BagOutcome outcome = detectInBags(job, [&](const BagFrame& frame) { in_base.push_back(frame.found); });
+  EXPECT_EQ(outcome.unusable_transforms, 1u);
+  ASSERT_EQ(in_base.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_EQ(in_base[k].items.size(), in_camera[k].items.size());
+    const double moved = in_base[k].items.at(0).extent.origin.x() - in_camera[k].items.at(0).extent.origin.x();
+    EXPECT_NEAR(moved, 0.1 * static_cast<double>(k), 1e-9);
+  }
+  job.params.target_frame = "";
+  job.params.sensor_frame = "base";  // only to be looked up
+  std::vector<Detections> from_base;
+  detectInBags(job, [&](const BagFrame& frame) { from_base.push_back(frame.found); });
+  ASSERT_EQ(from_base.size(), 3u);
+  for (const Detections& found : from_base) EXPECT_EQ(found.status, Status::ok);
+}
+
+TEST_F(BagJobs, SayThatThereAreNoTransforms) {
+  BagJob job = jobOf({cloudBag("clouds.bag", 0, 1)});
+  job.params.target_frame = "base";
+  EXPECT_NE(problemsOf(job)[0].find("holds no transforms"), std::string::npos);
+}
+
+TEST_F(BagJobs, BeginTracksAndMarkersAnewWhereStampsGoBack) {
+  BagJob job;
+  {
+    rosbag::Bag bag(path("looped.bag"), rosbag::bagmode::Write);
+    int recorded = 0;
+    for (const int k : {4, 5, 0, 1}) {
+      bag.write("/camera/points", recordedAt(10 + recorded++), depthCloud(headerAt(k), depthAt(k), kCamera));
+    }
+  }
+  job = jobOf({path("looped.bag")});
+  job.output = path("found.bag");
+  std::vector<std::uint32_t> oldest;  // in each frame
+  for (const Detections& found : foundIn(job)) {
+    oldest.push_back(0);
+    for (const Detection& item : found.items) oldest.back() = std::max(oldest.back(), item.age);
+  }
+  EXPECT_EQ(oldest, (std::vector<std::uint32_t>{0, 1, 0, 1}));
+  std::vector<bool> cleared;
+  rosbag::Bag written(job.output);
+  for (const rosbag::MessageInstance& message : rosbag::View(written, rosbag::TopicQuery("/detector/markers"))) {
+    const auto shown = message.instantiate<visualization_msgs::MarkerArray>();
+    cleared.push_back(shown->markers.at(0).action == visualization_msgs::Marker::DELETEALL);
+  }
+  EXPECT_EQ(cleared, (std::vector<bool>{true, false, true, false}));
+}
+
+TEST_F(BagJobs, TakeTheLastCameraBeforeAnImageAlsoFromBeforeTheirTime) {
+  {
+    rosbag::Bag bag(path("cameras.bag"), rosbag::bagmode::Write);
+    sensor_msgs::CameraInfo wrong = *cameraInfo(headerAt(0), kCamera), right = wrong;
+    wrong.P[0] = wrong.P[5] = 10.0 * right.P[0];
+    bag.write("/camera/depth/camera_info", recordedAt(0), wrong);
+    bag.write("/camera/depth/camera_info", recordedAt(1), right);
+    bag.write("/camera/depth/image_raw", recordedAt(2), depthImage(headerAt(2), depthAt(2), kCamera, "16UC1"));
+    bag.write("/camera/depth/camera_info", recordedAt(3), wrong);
+  }
+  BagJob job = jobOf({path("cameras.bag")});
+  FramePipeline pipeline{Params()};
+  const auto image = depthImage(headerAt(2), depthAt(2), kCamera, "16UC1");
+  const Detections right = fromMessage(pipeline.process(*cloudOf(image, *cameraInfo(headerAt(2), kCamera))));
+  expectSame(foundIn(job).at(0), right);
+  job.start = 0.15;  // after both cameras
+  expectSame(foundIn(job).at(0), right);
+}
+
 TEST_F(BagJobs, LeaveABagOfPrimitivesAndMarkers) {
   BagJob job = jobOf({cloudBag("clouds.bag", 0, 2)});
   job.output = path("found.bag");
@@ -225,7 +321,8 @@ TEST_F(BagJobs, LeaveABagOfPrimitivesAndMarkers) {
     if (const auto array = message.instantiate<PrimitiveArray>()) {
       ASSERT_LT(primitives, found.size());
       EXPECT_EQ(message.getTopic(), "/detector/primitives");
-      EXPECT_EQ(message.getTime(), headerAt(static_cast<int>(primitives)).stamp);
+      EXPECT_EQ(message.getTime(), recordedAt(static_cast<int>(primitives)));
+      EXPECT_EQ(array->header.stamp, headerAt(static_cast<int>(primitives)).stamp);
       expectSame(fromMessage(*array), found[primitives++]);
     } else if (const auto shown = message.instantiate<visualization_msgs::MarkerArray>()) {
       EXPECT_EQ(message.getTopic(), "/detector/markers");
@@ -256,8 +353,17 @@ TEST_F(BagJobs, SayWhichTopicsThereAreWhereNoneIsTheOne) {
   }
   const std::string which = refusalOf(jobOf({bag}));
   EXPECT_NE(which.find("/left/points (sensor_msgs/PointCloud2), /right/points"), std::string::npos) << which;
+  {
+    rosbag::Bag two(bag, rosbag::bagmode::Append);
+    two.write("/rgb/image_raw", headerAt(0).stamp, depthImage(headerAt(0), depthAt(0), kCamera, "16UC1"));
+  }
+  EXPECT_NE(refusalOf(jobOf({bag})).find("which topic?"), std::string::npos);
   BagJob job = jobOf({bag});
   job.topic = "/right/points";
+  job.camera_info = "/rgb/camera_info";
+  EXPECT_NE(refusalOf(job).find("is of depth images"), std::string::npos);
+  job.camera_info = "";
+  job.topic = "right/points";
   EXPECT_EQ(foundIn(job).size(), 1u);
   job.topic = "/middle/points";
   EXPECT_NE(refusalOf(job).find("no topic /middle/points"), std::string::npos);

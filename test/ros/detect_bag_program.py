@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The program detect_bag on a bag of a ball before a wall: what it prints and writes, and what it refuses."""
+import io
 import json
 import os
 import subprocess
@@ -13,6 +14,7 @@ import rosbag
 import rospy
 from primitect.msg import Primitive, PrimitiveArray
 from ros_helpers import cloud_message, wall_and_ball
+from sensor_msgs.msg import PointCloud2
 
 PROGRAM = sys.argv.pop(1)
 
@@ -93,12 +95,69 @@ class DetectBag(unittest.TestCase):
         self.assertEqual(sorted(p.type for p in arrays[0].primitives), [Primitive.PLANE, Primitive.SPHERE])
         self.assertEqual(sorted(os.listdir(self.folder)), ["clouds.bag", "found.bag"])
 
+    def test_goes_on_after_messages_that_are_not_what_they_say(self):
+        points, path = wall_and_ball(), self.path("odd.bag")
+        data = self.serialized(cloud_message(*points, stamp=rospy.Time(1000, 100000000)))
+        with rosbag.Bag(path, "w") as bag:
+            bag.write("/points", cloud_message(*points, stamp=rospy.Time(1000)), rospy.Time(1000))
+            bag.write("/points", self.raw(data[:5000], PointCloud2._md5sum), rospy.Time(1002), raw=True)
+            bag.write("/points", cloud_message(*points, stamp=rospy.Time(1000, 200000000)), rospy.Time(1003))
+        with rosbag.Bag(self.path("other.bag"), "w") as bag:
+            bag.write("/points", self.raw(data, "0" * 32), rospy.Time(1001), raw=True)
+        done = self.run_program(path, self.path("other.bag"), "--json", "-")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        frames = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([f["status"] for f in frames], ["ok", "rejected_input", "rejected_input", "ok"])
+        self.assertIn("has other fields", frames[1]["problem"])
+        self.assertTrue(frames[2]["problem"])
+        self.assertEqual([p["age"] for p in frames[3]["primitives"]], [1, 1])  # tracks go on
+        self.assertIn("2 tracks", self.run_program(path, self.path("other.bag")).stdout)
+
+    def test_ends_with_one_where_the_bag_is_damaged(self):
+        with rosbag.Bag(self.path("damaged.bag"), "w", compression="bz2") as bag:
+            bag.write("/points", cloud_message(*wall_and_ball(), stamp=rospy.Time(1000)), rospy.Time(1000))
+        with open(self.path("damaged.bag"), "r+b") as file:
+            file.seek(os.path.getsize(file.name) // 2)
+            file.write(b"\0" * 64)
+        done = self.run_program(self.path("damaged.bag"))
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("damaged", done.stdout + done.stderr)
+
+    def test_leaves_no_bag_and_keeps_what_was_there_when_it_does_not_run(self):
+        for name in ("old.jsonl", "old.bag"):
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write("old")
+        self.run_program(self.path("none.bag"), "--json", self.path("old.jsonl"), "--out", self.path("old.bag"))
+        for name in ("old.jsonl", "old.bag"):
+            with open(self.path(name), encoding="utf-8") as file:
+                self.assertEqual(file.read(), "old")
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            self.assertEqual(subprocess.run([PROGRAM, self.bag, "--json", "-"], stdout=full, stderr=subprocess.DEVNULL,
+                                            check=False).returncode, 1)
+
+    @staticmethod
+    def raw(data, md5):
+        return ("sensor_msgs/PointCloud2", data, md5, PointCloud2)
+
+    @staticmethod
+    def serialized(message):
+        buffer = io.BytesIO()
+        message.serialize(buffer)
+        return buffer.getvalue()
+
     def test_refuses_what_is_wrong_in_one_line(self):
         self.expect_refusal(2, "no BAG given")
         self.expect_refusal(2, "max_depth", self.bag, "--max_depth", "-1")
         self.expect_refusal(2, "--start", self.bag, "--start", "-1")
         self.expect_refusal(2, "would be overwritten", self.bag, "--out", self.bag)
         self.expect_refusal(2, "would be overwritten", self.bag, "--json", self.bag)
+        self.expect_refusal(2, "named twice", self.bag, self.path("./clouds.bag"))
+        self.expect_refusal(2, "--duration", self.bag, "--duration", "nan")
+        self.expect_refusal(2, "no file", self.bag, "--out", self.folder)
+        self.expect_refusal(2, "no file", self.bag, "--out", "-")
+        os.rename(self.bag, self.path("x.bag.part"))
+        self.expect_refusal(2, "would be overwritten", self.path("x.bag.part"), "--out", self.path("x.bag"))
+        os.rename(self.path("x.bag.part"), self.bag)
         self.expect_refusal(2, "same file", self.bag, "--json", self.path("x"), "--out", self.path("x"))
         self.expect_refusal(1, "none.bag", self.path("none.bag"))
         self.expect_refusal(1, "/points (sensor_msgs/PointCloud2)", self.bag, "--topic", "/other")
