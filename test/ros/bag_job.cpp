@@ -11,6 +11,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -169,6 +170,39 @@ TEST_F(BagJobs, GiveThePixelsOfADepthImageTheirPlaces) {
   expectAt(0, -0.01f, 0.0f, 1.0f);
   expectAt(2, 0.02f, 0.0f, 2.0f);
   expectAt(4, 0.0f, 0.02f, 1.0f);
+}
+
+std::string refusalOf(const sensor_msgs::Image& image, double focal_length = 100.0) {
+  sensor_msgs::CameraInfo camera;
+  camera.P = {focal_length, 0, 1, 0, 0, focal_length, 0, 0, 0, 0, 1, 0};
+  try {
+    cloudOf(boost::make_shared<sensor_msgs::Image>(image), camera);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(BagJobs, TakeNoImageOrCameraThatCannotBeRight) {
+  sensor_msgs::Image image;
+  image.width = 2, image.height = 1, image.encoding = "mono16", image.step = 4;
+  image.data = {1, 0, 2, 0};
+  EXPECT_EQ(refusalOf(image), "");
+  for (const double focal_length : {0.0, -1.0, std::nan("")}) {
+    EXPECT_NE(refusalOf(image, focal_length).find("no focal length"), std::string::npos) << focal_length;
+  }
+  sensor_msgs::Image other = image;
+  other.is_bigendian = 1;
+  EXPECT_NE(refusalOf(other).find("big-endian"), std::string::npos);
+  other = image;
+  other.step = 5, other.data.resize(5);
+  EXPECT_NE(refusalOf(other).find("rows of 5 bytes"), std::string::npos);
+  other = image;
+  other.height = 2;
+  EXPECT_NE(refusalOf(other).find("has 4 bytes"), std::string::npos);
+  other = image;
+  other.width = 1u << 25, other.step = 1u << 26;
+  EXPECT_NE(refusalOf(other).find("at most 16777216"), std::string::npos);
 }
 
 TEST_F(BagJobs, TakeSeveralBagsForOneRecordingWhoseTracksGoOn) {

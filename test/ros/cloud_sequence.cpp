@@ -4,11 +4,17 @@
 #include "ros/cloud_sequence.h"
 
 #include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "ros/synthetic_messages.h"
+#include "synthetic/frame.h"
+#include "synthetic/poses.h"
+#include "synthetic/tabletop.h"
 
 namespace primitect {
 namespace {
@@ -49,6 +55,47 @@ TEST(CloudSequences, TrackThingsFromCloudToCloud) {
   EXPECT_EQ(next.primitives[0].age, 1u);
   EXPECT_EQ(next.header.frame_id, "camera");
   EXPECT_GT(next.processing_time, 0.0f);
+}
+
+TEST(CloudSequences, TrackNothingWhereTheyAreToldNotTo) {
+  Params params;
+  params.track = false;
+  CloudSequence sequence(params, noTransform);
+  answer(sequence, ros::Time(10, 0));
+  const PrimitiveArray next = answer(sequence, ros::Time(10, 100000000));
+  EXPECT_EQ(next.primitives.at(0).track_id, 0u);
+  EXPECT_EQ(next.primitives.at(0).age, 0u);
+}
+
+/// A table, as seen from a robot's head, in the frame of its feet.
+sensor_msgs::PointCloud2 movedImage() {
+  const synthetic::PinholeCamera camera = synthetic::PinholeCamera().scaledTo(320, 240);
+  std_msgs::Header header;
+  header.frame_id = "base";
+  sensor_msgs::PointCloud2 cloud = *depthCloud(
+      header, synthetic::renderFrame(synthetic::tabletop(2), camera, synthetic::cameraPose(0.0), {}, 2, 0).depth,
+      camera);
+  const Eigen::Isometry3f base_from_camera = synthetic::robotFromCamera(1.3, 0.6).cast<float>();
+  sensor_msgs::PointCloud2Iterator<float> point(cloud, "x");
+  for (std::uint32_t i = 0; i < cloud.width * cloud.height; ++i, ++point) {
+    const Eigen::Vector3f moved = base_from_camera * Eigen::Vector3f(point[0], point[1], point[2]);
+    std::copy(moved.begin(), moved.end(), &point[0]);
+  }
+  return cloud;
+}
+
+TEST(CloudSequences, LookForNoCameraWhereItIsSaidToBe) {
+  CloudSequence looking(Params(), noTransform);
+  looking.begin(ros::Time(1));
+  looking.process(movedImage());
+  ASSERT_TRUE(looking.pipeline().foundCamera());
+  EXPECT_NEAR(looking.sensorPose().translation().z(), 1.3, 0.01);
+  Params params;
+  params.sensor_frame = "/base";
+  CloudSequence told(params, noTransform);
+  told.begin(ros::Time(1));
+  EXPECT_EQ(told.process(movedImage()).status, PrimitiveArray::OK);
+  EXPECT_FALSE(told.pipeline().foundCamera());
 }
 
 TEST(CloudSequences, BeginAnewWhereTimeGoesBackByMoreThanClouds) {
