@@ -51,17 +51,23 @@ class JsonLines {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+void checkOutput() {
+  if (!std::cout) throw std::runtime_error("standard output cannot be written");
+}
+
 int run(const tools::DetectBagOptions& options) {
   JsonLines json(options.json);
   tools::BagSummary summary;
   bool damaged = false;
   std::signal(SIGINT, [](int) { interrupted = 1; });
+  std::signal(SIGPIPE, SIG_IGN);  // whoever read the output has enough: an error as any other
   const auto use = [&](const BagFrame& frame) {
     if (interrupted) throw std::runtime_error("interrupted; no bag is left");
     json.write(frame);
     summary.add(frame);
     damaged = damaged || frame.damaged;
     if (!json.toStdout()) std::cout << tools::frameLine(frame) << std::flush;
+    checkOutput();
   };
   const primitect::ros_layer::BagOutcome outcome = primitect::ros_layer::detectInBags(options.job, use);
   json.finish();
@@ -69,7 +75,8 @@ int run(const tools::DetectBagOptions& options) {
   if (outcome.unusable_transforms > 0) {
     std::cerr << "detect_bag: " << outcome.unusable_transforms << " transforms could not be used\n";
   }
-  if (!(std::cout << std::flush)) throw std::runtime_error("standard output cannot be written");
+  std::cout << std::flush;
+  checkOutput();
   return damaged ? kBadFile : kOk;
 }
 
