@@ -101,7 +101,8 @@ class SensorFrame(unittest.TestCase):
             self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
             self.assertEqual(len(answer.primitives), 0)
             without_transform.append(answer.header.stamp)
-            return [m for m in log.all() if m.name == "/detector" and "sensor_frame 'camera'" in m.msg]
+            return [m for m in log.all() if m.name == "/detector" and "sensor_frame 'camera'" in m.msg and
+                    "view_frames.py" in m.msg]
         self.assertTrue(wait_for(warned))
 
         broadcaster = tf2_ros.StaticTransformBroadcaster()
@@ -118,7 +119,7 @@ class SensorFrame(unittest.TestCase):
             self.assertFalse(set(without_transform) & {m.header.stamp for m in outputs.all()})
 
     def test_waits_for_a_transform_as_long_as_it_was_told_meanwhile(self):
-        detector = Detector()
+        detector, diagnostics, log = Detector(), Collector("/diagnostics", DiagnosticArray), Collector("/rosout", Log)
         self.assertTrue(detector.ready())
         client = Client("/detector", timeout=PATIENCE)
         usual = client.get_configuration()["transform_patience"]
@@ -128,6 +129,20 @@ class SensorFrame(unittest.TestCase):
         answer = detector.ask(cloud_message(POINTS, WIDTH, IMAGE_HEIGHT, frame="waited_for_by_this_test_alone"))
         self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
         self.assertGreaterEqual(answer.processing_time, LONGER_WAIT)
+        self.assertTrue(wait_for(lambda: [m for m in log.all() if m.name == "/detector" and
+                                          "parameters changed: transform_patience: " in m.msg]))
+
+        late = cloud_message(POINTS, WIDTH, IMAGE_HEIGHT, frame="moving")
+        moving = camera_looking_ahead(HEIGHT)
+        moving.child_frame_id, moving.header.stamp = "moving", late.header.stamp - rospy.Duration(1.0)
+        broadcaster = tf2_ros.TransformBroadcaster()
+
+        def advised():
+            broadcaster.sendTransform(moving)
+            detector.ask(late)
+            return [s for m in diagnostics.all() for s in m.status if s.name == "detector: input" and
+                    "transform_patience, %g s" % LONGER_WAIT in s.message]
+        self.assertTrue(wait_for(advised))
 
     def of_answer(self, outputs, answer):
         """The cloud that came with this answer, where it was looked at: in the sensor's frame."""
