@@ -3,12 +3,12 @@
 // Options of `detect_bag`; those of the parameters come from their table.
 #include "tools/detect_bag_options.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
 
+#include "tools/command_line.h"
 #include "tools/param_options.h"
 
 namespace primitect::tools {
@@ -89,13 +89,7 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
       ->type_name("FILE|-");
   app.add_option("--out", job.output, "write primitives and markers as a bag")->type_name("FILE.bag");
   param_options.addTo(app, {"transform_patience"});
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw std::invalid_argument(std::string(error.what()) + " (see --help)");
-    app.exit(error);
-    return std::nullopt;
-  }
+  if (!parseOrSay(app, argc, argv)) return std::nullopt;
   ParamLayers params;
   param_options.take(app, params);
   if (param_options.printWanted()) {

@@ -3,13 +3,13 @@
 // Options of `detect`; those of the parameters come from their table.
 #include "tools/detect_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <stdexcept>
 
 #include "primitect/kernel_choice.h"
+#include "tools/command_line.h"
 #include "tools/param_options.h"
 
 namespace primitect::tools {
@@ -133,13 +133,7 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   addMainOptions(app, options, raw);
   ParamOptions param_options;
   param_options.addTo(app, paramsOfGroup("node"));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw std::invalid_argument(std::string(error.what()) + " (see --help)");
-    app.exit(error);
-    return std::nullopt;
-  }
+  if (!parseOrSay(app, argc, argv)) return std::nullopt;
   param_options.take(app, options.params);
   takeMainOptions(app, raw, options);
   if (param_options.printWanted()) {
