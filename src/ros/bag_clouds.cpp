@@ -5,6 +5,7 @@
 
 #include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 
 #include <map>
@@ -27,13 +28,27 @@ std::unique_ptr<rosbag::Bag> opened(const std::string& path) try {
 } catch (const rosbag::BagUnindexedException&) {
   throw std::runtime_error(path + ": it has no index, as it was not closed: rosbag reindex makes one");
 } catch (const std::exception& error) {
-  throw std::runtime_error(path + ": cannot be read as a bag: " + error.what());
+  throw std::runtime_error(path + ": cannot be read as a bag: " + error.what() +
+                           " (of one that is cut off rosbag reindex saves the rest)");
 }
 
 std::string listText(const Types& types) {
   std::string text;
   for (const auto& [topic, type] : types) text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
   return text.empty() ? "nothing" : text;
+}
+
+/// The topics that may be searched, and what can be done about others.
+std::string choiceText(const Types& types) {
+  Types clouds;
+  std::string advice;
+  for (const auto& [topic, type] : types) {
+    if (type == typeName<sensor_msgs::PointCloud2>() || type == typeName<sensor_msgs::Image>()) clouds[topic] = type;
+    if (type == typeName<sensor_msgs::CompressedImage>()) {
+      advice = "; compressed depth images are not read, rosrun image_transport republish makes raw ones of them";
+    }
+  }
+  return listText(clouds) + advice;
 }
 
 std::vector<std::string> topicsOf(const Types& types, const std::string& wanted) {
@@ -89,7 +104,7 @@ void BagClouds::chooseTopic(const BagJob& job) {
     std::vector<std::string> topics = topicsOf(types, cloud);
     if (topics.empty()) topics = topicsOf(types, image);
     if (topics.size() != 1) {
-      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + listText(types));
+      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + choiceText(types));
     }
     topic_ = topics[0];
   }

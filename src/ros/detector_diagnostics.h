@@ -64,6 +64,8 @@ class DetectorDiagnostics {
 
   /// As of the last publish().
   bool silent() const;
+  /// Since the start, or since time went back.
+  bool anyFrame() const { return counters_.frames_in > 0; }
 
  private:
   void fillInput(diagnostic_updater::DiagnosticStatusWrapper& status) const;

@@ -181,7 +181,8 @@ std::string typeOf(const std::string& topic) {
   return "";
 }
 
-std::string whySilent(const std::string& topic, std::uint32_t publishers) {
+std::string whySilent(const std::string& topic, std::uint32_t publishers, bool came_before) {
+  if (came_before) return publishers > 0 ? "its publisher sends no more" : "its publisher is gone";
   if (publishers > 0) {
     return "of its " + std::to_string(publishers) + (publishers == 1 ? " publisher" : " publishers") +
            " none sent any; one that makes it of a depth image needs camera_info, too";
@@ -200,7 +201,7 @@ void DetectorNodelet::warnIfSilent() {
   if (silent && !told_silent_) {
     NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for "
                                   << DetectorDiagnostics::kSilenceSeconds << " s; "
-                                  << whySilent(input_.getTopic(), input_.getNumPublishers()));
+                                  << whySilent(input_.getTopic(), input_.getNumPublishers(), diagnostics_->anyFrame()));
   }
   told_silent_ = silent;
 }

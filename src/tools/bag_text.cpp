@@ -46,8 +46,10 @@ std::string frameLine(const ros_layer::BagFrame& frame) {
 
 void BagSummary::add(const ros_layer::BagFrame& frame) {
   ++clouds_;
+  if (problem_.empty()) problem_ = frame.problem;
   if (frame.found.status != Status::ok) return;
   ++searched_;
+  elsewhere_ += frame.found.seen_from_origin ? 0 : 1;
   milliseconds_.push_back(frame.processing_ms);
   const Counts counts = countsOf(frame.found);
   for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
@@ -56,10 +58,17 @@ void BagSummary::add(const ros_layer::BagFrame& frame) {
   }
 }
 
+std::string BagSummary::warning() const {
+  if (elsewhere_ == 0) return "";
+  return std::to_string(elsewhere_) + " of " + std::to_string(clouds_) +
+         " clouds are not seen from the origin of their frame along z: shapes are missed, normals turned; " +
+         "--sensor_frame says where the camera was";
+}
+
 std::string BagSummary::text(const std::string& topic) const {
   std::string text = std::to_string(clouds_) + (clouds_ == 1 ? " cloud on " : " clouds on ") + topic + ", " +
                      std::to_string(searched_) + " searched.";
-  if (searched_ == 0) return text + "\n";
+  if (searched_ == 0) return text + " The first: " + problem_ + "\n";
   text += " In the mean";
   const auto clouds = static_cast<double>(searched_);
   for (std::size_t kind = 0; kind < found_.size(); ++kind) {

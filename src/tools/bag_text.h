@@ -20,11 +20,17 @@ class BagSummary {
  public:
   void add(const ros_layer::BagFrame& frame);
 
-  /// "51 clouds on /camera/points, 51 searched. ..."
+  /// "51 clouds on /camera/points, 51 searched. ..."; where none was, why.
   std::string text(const std::string& topic) const;
 
+  /// What makes results doubtful, a line; empty: nothing does.
+  std::string warning() const;
+
+  bool anySearched() const { return searched_ > 0; }
+
  private:
-  std::size_t clouds_ = 0, searched_ = 0;
+  std::size_t clouds_ = 0, searched_ = 0, elsewhere_ = 0;
+  std::string problem_;  ///< of the first that was not searched
   std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
   std::size_t tracks_ = 0;                          ///< that began
   std::vector<double> milliseconds_;

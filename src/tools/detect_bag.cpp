@@ -72,12 +72,13 @@ int run(const tools::DetectBagOptions& options) {
   const primitect::ros_layer::BagOutcome outcome = primitect::ros_layer::detectInBags(options.job, use);
   json.finish();
   if (!json.toStdout()) std::cout << summary.text(outcome.topic);
+  if (!summary.warning().empty()) std::cerr << "detect_bag: " << summary.warning() << "\n";
   if (outcome.unusable_transforms > 0) {
     std::cerr << "detect_bag: " << outcome.unusable_transforms << " transforms could not be used\n";
   }
   std::cout << std::flush;
   checkOutput();
-  return damaged ? kBadFile : kOk;
+  return damaged || !summary.anySearched() ? kBadFile : kOk;
 }
 
 }  // namespace

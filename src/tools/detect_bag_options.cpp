@@ -27,8 +27,8 @@ constexpr const char* kFooter =
     "--json: a line for each cloud, an object with stamp, frame_id, status and primitives, in\n"
     "metres and radians.\n"
     "--out: /detector/primitives and /detector/markers, to be played beside the recording.\n"
-    "Exit code: 0 all clouds were searched or say why not, 1 a bag could not be read (or not\n"
-    "all of it) or written, 2 the command line or a parameter is wrong.";
+    "Exit code: 0 clouds were searched, others say why not, 1 none was, or a bag could not be\n"
+    "read (or not all of it) or written, 2 the command line or a parameter is wrong.";
 
 namespace fs = std::filesystem;
 
@@ -58,6 +58,9 @@ void checkOutputs(const DetectBagOptions& options) {
   }
   if (!json.empty() && !out.empty() && isSameFile(json, out)) {
     throw std::invalid_argument("--json and --out: " + out + " is the same file");
+  }
+  if (!out.empty() && out != "-" && fs::path(out).extension() != ".bag") {
+    throw std::invalid_argument("--out: " + out + " gets a bag, expected is a name that ends in .bag");
   }
   const bool replaces_other = !out.empty() && fs::exists(out) && !fs::is_regular_file(out);
   if (out == "-" || replaces_other) throw std::invalid_argument("--out: " + out + " is no file, expected is one");

@@ -113,6 +113,20 @@ class DetectBag(unittest.TestCase):
         self.assertEqual([p["age"] for p in frames[3]["primitives"]], [1, 1])  # tracks go on
         self.assertIn("2 tracks", self.run_program(path, self.path("other.bag")).stdout)
 
+    def test_ends_with_one_and_says_why_where_nothing_was_searched(self):
+        done = self.run_program(self.bag, "--max_depth", "0.2")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"3 clouds on /points, 0 searched\. The first: 0 of 19200 points are measured")
+
+    def test_warns_of_clouds_that_are_not_seen_from_the_origin(self):
+        points, width, height = wall_and_ball()
+        with rosbag.Bag(self.path("moved.bag"), "w") as bag:  # above the origin, in no order that could tell more
+            moved = sorted(((y, z - 1.0, 0.5 - x) for x, y, z in points), key=lambda p: hash(p))
+            bag.write("/points", cloud_message(moved, width * height, 1, stamp=rospy.Time(1000)), rospy.Time(1000))
+        done = self.run_program(self.path("moved.bag"), "--min_depth", "0")
+        self.assertIn("1 of 1 clouds are not seen from the origin", done.stderr)
+        self.assertEqual(self.run_program(self.bag).stderr, "")
+
     def test_ends_with_one_where_the_bag_is_damaged(self):
         with rosbag.Bag(self.path("damaged.bag"), "w", compression="bz2") as bag:
             bag.write("/points", cloud_message(*wall_and_ball(), stamp=rospy.Time(1000)), rospy.Time(1000))
@@ -153,12 +167,15 @@ class DetectBag(unittest.TestCase):
         self.expect_refusal(2, "would be overwritten", self.bag, "--json", self.bag)
         self.expect_refusal(2, "named twice", self.bag, self.path("./clouds.bag"))
         self.expect_refusal(2, "--duration", self.bag, "--duration", "nan")
-        self.expect_refusal(2, "no file", self.bag, "--out", self.folder)
+        os.mkdir(self.path("folder.bag"))
+        self.expect_refusal(2, "no file", self.bag, "--out", self.path("folder.bag"))
+        os.rmdir(self.path("folder.bag"))
+        self.expect_refusal(2, "ends in .bag", self.bag, "--out", self.path("found.jsonl"))
         self.expect_refusal(2, "no file", self.bag, "--out", "-")
         os.rename(self.bag, self.path("x.bag.part"))
         self.expect_refusal(2, "would be overwritten", self.path("x.bag.part"), "--out", self.path("x.bag"))
         os.rename(self.path("x.bag.part"), self.bag)
-        self.expect_refusal(2, "same file", self.bag, "--json", self.path("x"), "--out", self.path("x"))
+        self.expect_refusal(2, "same file", self.bag, "--json", self.path("x.bag"), "--out", self.path("x.bag"))
         self.expect_refusal(1, "none.bag", self.path("none.bag"))
         self.expect_refusal(1, "/points (sensor_msgs/PointCloud2)", self.bag, "--topic", "/other")
         self.expect_refusal(1, "nowhere", self.bag, "--out", self.path("nowhere/found.bag"))
