@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Where no cloud comes the log says why: a topic of another type, nobody who publishes it, or a publisher that is
-quiet. Diagnostics do not claim that any came."""
+quiet, or has fallen silent. Diagnostics do not claim that any came."""
 import sys
 import unittest
 
@@ -64,6 +64,7 @@ class Silence(unittest.TestCase):
         self.assertTrue(wait_for(lambda: any(message.startswith("last cloud refused") for message in told())))
         self.assertTrue(wait_for(lambda: any(message.startswith("no cloud for") and "refused" in message
                                              for message in told())))
+        self.assertEqual(self.why("/on_refused", "/refused"), "its publisher sends no more")
 
 
 if __name__ == "__main__":
