@@ -40,7 +40,7 @@ Eigen::Quaterniond halfTurn(Kind kind);
 
 /// Finds the things of the last frames again: the nearest ones of the same kind, position, direction and size, each at
 /// most once. Cylinders and cones, which noise may exchange, continue each other. The last two sightings of a thing
-/// count, or one that is off would end its track.
+/// count, or one that is off would end its track. Of a large plane that is seen in parts the oldest number goes on.
 class Tracker {
  public:
   /// patience (s): what was not seen for longer is a new thing.
@@ -66,14 +66,19 @@ class Tracker {
     std::size_t thing, sighting;
   };
 
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
   void findMatches(const std::vector<Sighting>& sightings, double seconds);
+  void assign(std::size_t sightings);
+  void preferOlder(const std::vector<Sighting>& sightings);
 
   double patience_;
   std::uint32_t next_id_ = 1;
   std::vector<Thing> things_;
   std::vector<Match> matches_;
   std::vector<Track> tracks_;
-  std::vector<bool> taken_;  ///< things that have a sighting in this frame
+  std::vector<std::size_t> thing_of_;  ///< each sighting, or kNone
+  std::vector<bool> taken_;            ///< things that have a sighting in this frame
 };
 
 }  // namespace primitect

@@ -124,29 +124,54 @@ void Tracker::findMatches(const std::vector<Sighting>& sightings, double seconds
   });
 }
 
+/// The best matches first, each thing and each sighting once.
+void Tracker::assign(std::size_t sightings) {
+  thing_of_.assign(sightings, kNone);
+  taken_.assign(things_.size(), false);
+  for (const Match& match : matches_) {
+    if (taken_[match.thing] || thing_of_[match.sighting] != kNone) continue;
+    taken_[match.thing] = true;
+    thing_of_[match.sighting] = match.thing;
+  }
+}
+
+/// Of a floor with things on it now this part is seen, now that one, now both: while one of its numbers has no sighting
+/// of its own, the oldest one goes on. Tops of boxes side by side are too small for that.
+void Tracker::preferOlder(const std::vector<Sighting>& sightings) {
+  constexpr double kLarge = 0.3;  // m
+  const auto isLarge = [](const Sighting& s) { return s.kind == Kind::plane && s.reach >= kLarge; };
+  for (const Match& match : matches_) {
+    std::size_t& thing = thing_of_[match.sighting];
+    if (taken_[match.thing] || thing == kNone || things_[match.thing].track.id > things_[thing].track.id) continue;
+    if (!isLarge(sightings[match.sighting]) || !isLarge(things_[match.thing].last)) continue;
+    taken_[thing] = false;
+    taken_[match.thing] = true;
+    thing = match.thing;
+  }
+}
+
 const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings, double seconds) {
   const auto forgotten = [&](const Thing& thing) { return !(seconds - thing.seen <= patience_); };
   things_.erase(std::remove_if(things_.begin(), things_.end(), forgotten), things_.end());
   for (Thing& thing : things_) ++thing.track.age;
   findMatches(sightings, seconds);
+  assign(sightings.size());
+  preferOlder(sightings);
   tracks_.assign(sightings.size(), Track());
-  taken_.assign(things_.size(), false);
-  for (const Match& match : matches_) {
-    if (taken_[match.thing] || tracks_[match.sighting].id != 0) continue;
-    taken_[match.thing] = true;
-    Thing& thing = things_[match.thing];
+  for (std::size_t s = 0; s < sightings.size(); ++s) {
+    Track& track = tracks_[s];
+    if (thing_of_[s] == kNone) {
+      track.id = next_id_++;
+      things_.push_back({track, sightings[s], sightings[s], seconds});
+      continue;
+    }
+    Thing& thing = things_[thing_of_[s]];
     thing.before = thing.last;
-    thing.last = sightings[match.sighting];
+    thing.last = sightings[s];
     thing.seen = seconds;
-    Track& track = tracks_[match.sighting];
     track = thing.track;
     track.reversed = isReversed(thing.before, thing.last);
     if (track.reversed) reverse(thing.last);
-  }
-  for (std::size_t s = 0; s < sightings.size(); ++s) {
-    if (tracks_[s].id != 0) continue;
-    tracks_[s].id = next_id_++;
-    things_.push_back({tracks_[s], sightings[s], sightings[s], seconds});
   }
   return tracks_;
 }

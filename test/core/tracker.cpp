@@ -175,6 +175,30 @@ TEST(Tracker, TurnsByHalfATurnSoThatThingsLookTheSame) {
   EXPECT_LT((halfTurn(Kind::plane) * Vec3::UnitZ() - Vec3::UnitZ()).norm(), 1e-12);  // the normal
 }
 
+/// A part of the floor around x (m).
+Sighting floorAt(double x, double reach = 0.6) {
+  Sighting part = top({x, 0, 1});
+  part.reach = reach;
+  return part;
+}
+
+TEST(Tracker, GoesOnWithTheOldestNumberOfAPlaneThatIsSeenInParts) {
+  Tracker tracker;
+  const Sighting left = floorAt(-0.15), right = floorAt(0.15);
+  EXPECT_EQ(idsOf(tracker.update({left}, 0.0)), (Ids{1}));
+  EXPECT_EQ(idsOf(tracker.update({left, right}, kFrame)), (Ids{1, 2}));
+  EXPECT_EQ(idsOf(tracker.update({right}, 2 * kFrame)), (Ids{1}));
+  EXPECT_EQ(idsOf(tracker.update({right}, 3 * kFrame)), (Ids{1}));
+}
+
+TEST(Tracker, GivesATopBesideAHiddenOneNoNumberOfIt) {
+  Tracker tracker;
+  const Sighting one = floorAt(-0.05, 0.15), other = floorAt(0.05, 0.15);
+  EXPECT_EQ(idsOf(tracker.update({one, other}, 0.0)), (Ids{1, 2}));
+  EXPECT_EQ(idsOf(tracker.update({other}, kFrame)), (Ids{2}));
+  EXPECT_EQ(idsOf(tracker.update({one, other}, 2 * kFrame)), (Ids{1, 2}));
+}
+
 TEST(Tracker, StartsAnewWithOne) {
   Tracker tracker;
   tracker.update({ball({0, 0, 1}), ball({1, 0, 1})}, 0.0);
