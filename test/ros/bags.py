@@ -85,31 +85,23 @@ class Bags(unittest.TestCase):
         # Everything is deleted once at the start and once a jump, not in every frame.
         self.assertLessEqual(len(cleared()), 1 + len(jumps()))
 
-    def test_keep_what_was_found_when_they_were_recorded_apart_from_what_is_found_now(self):
-        path = os.path.join(self.folder, "with_results.bag")
+    def test_give_the_node_what_they_give_detect_bag_whatever_was_found_when_they_were_recorded(self):
+        path, found = os.path.join(self.folder, "clouds.bag"), os.path.join(self.folder, "found.bag")
         write_bag(path, frames=4)
         with rosbag.Bag(path, "a") as bag:
             for frame in range(4):
                 stamp = rospy.Time(FIRST_STAMP, 250000000 * frame + 1000)
-                bag.write("/again/primitives", PrimitiveArray(points_in=7), stamp)
-        now, then = self.collect("/again/primitives", PrimitiveArray), self.collect("/recorded/again/primitives", PrimitiveArray)
-        with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=again", "delay:=3"):
-            self.assertTrue(wait_for(lambda: len(now.all()) >= 4 and len(then.all()) >= 4))
-        self.assertEqual([m.points_in for m in then.all()], [7] * 4)
-        self.assertEqual([m.points_in for m in now.all()], [160 * 120] * 4)
-
-    def test_give_detect_bag_what_they_give_the_node(self):
-        path, found = os.path.join(self.folder, "clouds.bag"), os.path.join(self.folder, "found.bag")
-        write_bag(path, frames=4)
+                bag.write("/compared/primitives", PrimitiveArray(points_in=7), stamp)
         subprocess.run([DETECT_BAG, path, "--out", found], check=True, stdout=subprocess.DEVNULL)
         with rosbag.Bag(found) as bag:
             offline = [message for _, message, _ in bag.read_messages("/detector/primitives")]
         primitives = self.collect("/compared/primitives", PrimitiveArray)
+        recorded = self.collect("/recorded/compared/primitives", PrimitiveArray)
         with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=compared", "rate:=0.5", "delay:=3"):
-            self.assertTrue(wait_for(lambda: len(primitives.all()) >= len(offline)))
+            self.assertTrue(wait_for(lambda: len(primitives.all()) >= len(offline) and len(recorded.all()) >= 4))
+        self.assertEqual([m.points_in for m in recorded.all()], [7] * 4)
         online = primitives.all()
-        self.assertEqual(len(offline), 4)
-        self.assertEqual(len(online), 4)
+        self.assertEqual((len(offline), len(online)), (4, 4))
         for one, other in zip(online, offline):
             self.assertGreater(len(one.primitives), 1)
             one.header.seq = other.header.seq = 0

@@ -64,7 +64,8 @@ class Silence(unittest.TestCase):
         self.assertTrue(wait_for(lambda: any(message.startswith("last cloud refused") for message in told())))
         self.assertTrue(wait_for(lambda: any(message.startswith("no cloud for") and "refused" in message
                                              for message in told())))
-        self.assertEqual(self.why("/on_refused", "/refused"), "its publisher sends no more")
+        self.assertTrue(wait_for(lambda: [entry for entry in self.log.all() if "/on_refused: no cloud on" in entry.msg and
+                                          entry.msg.endswith("its publisher sends no more")]))
 
 
 if __name__ == "__main__":
