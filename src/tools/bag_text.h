@@ -30,7 +30,7 @@ class BagSummary {
 
  private:
   std::size_t clouds_ = 0, searched_ = 0, elsewhere_ = 0;
-  std::string problem_;  ///< of the first that was not searched
+  std::string problem_;                             ///< of the first that was not searched
   std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
   std::size_t tracks_ = 0;                          ///< that began
   std::vector<double> milliseconds_;

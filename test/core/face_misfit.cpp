@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "core/random.h"
@@ -64,6 +65,19 @@ TEST(Unevenness, IsThatOfNoiseAlongRaysHoweverThePlaneIsTurned) {
   std::iota(all.begin(), all.end(), 0u);
   EXPECT_NEAR(unevenness(cloud, all, {Vec3(0.0, 0.0, 1.0), normal}, noise), 1.0, 0.15);
   EXPECT_EQ(unevenness(cloud, {}, {Vec3(0.0, 0.0, 1.0), normal}, noise), 0.0);
+}
+
+TEST(Unevenness, IsANumberAlsoOfAPlaneThroughTheSensor) {
+  Cloud cloud;
+  cloud.reset(8, 1, false);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    cloud.setPoint(i, 0.1f * static_cast<float>(i), 0.001f * static_cast<float>(i % 2), 1.0f, {});
+  }
+  List<std::uint32_t> all(cloud.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const double uneven = unevenness(cloud, all, {Vec3::Zero(), Vec3::UnitY()}, noise);
+  EXPECT_TRUE(std::isfinite(uneven));
+  EXPECT_GT(uneven, kAsEven);
 }
 
 }  // namespace
