@@ -43,16 +43,18 @@ std::string reportsJson(const std::vector<FileReport>& reports);
 
 /// What a cloud of a recording gave.
 struct FrameReport {
+  double recorded = 0.0;              ///< s after the first one
   std::uint32_t secs = 0, nsecs = 0;  ///< stamp
   std::string frame_id;               ///< of the detections
+  const Detections& detections;       ///< as the message has them, tracks included
   std::string problem;                ///< not empty: why there are none
-  const Detections& detections;
+  bool damaged = false;               ///< the recording cannot be read there
   double processing_ms = 0.0;
 };
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",
-/// "problem", "points_in", "points_used", "samples", "seen_from_origin", "processing_ms", "primitives": [...]}; problem is null where there
-/// is none. Primitives as in reportJson(), those of a track also with "track_id" and "age".
+/// "problem", "points_in", "points_used", "samples", "seen_from_origin", "processing_ms", "primitives": [...]}; problem
+/// is null where there is none. Primitives as in reportJson(), those of a track also with "track_id" and "age".
 std::string frameJson(const FrameReport& report);
 
 }  // namespace primitect::io

@@ -81,9 +81,9 @@ sensor_msgs::CameraInfoConstPtr cameraOf(const rosbag::MessageInstance& recorded
 
 BagClouds::BagClouds(const BagJob& job) {
   for (const std::string& path : job.bags) bags_.push_back(opened(path));
-  chooseTopic(job);
   rosbag::View all;
   for (const auto& bag : bags_) all.addQuery(*bag);
+  chooseTopic(job, all.getConnections());
   begin_ = all.getBeginTime() + ros::Duration(job.start);
   if (job.duration > 0.0) end_ = begin_ + ros::Duration(job.duration);
   rosbag::View wanted;
@@ -93,11 +93,9 @@ BagClouds::BagClouds(const BagJob& job) {
                            valueText((all.getEndTime() - all.getBeginTime()).toSec()) + " s");
 }
 
-void BagClouds::chooseTopic(const BagJob& job) {
-  rosbag::View all;
-  for (const auto& bag : bags_) all.addQuery(*bag);
+void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::ConnectionInfo*>& connections) {
   Types types;
-  for (const rosbag::ConnectionInfo* info : all.getConnections()) types[info->topic] = info->datatype;
+  for (const rosbag::ConnectionInfo* info : connections) types[info->topic] = info->datatype;
   const std::string cloud = typeName<sensor_msgs::PointCloud2>(), image = typeName<sensor_msgs::Image>();
   topic_ = job.topic;
   if (topic_.empty()) {

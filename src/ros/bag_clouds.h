@@ -40,7 +40,7 @@ class BagClouds {
 
  private:
   bool ofDepthImages() const { return !camera_info_.empty(); }
-  void chooseTopic(const BagJob& job);
+  void chooseTopic(const BagJob& job, const std::vector<const rosbag::ConnectionInfo*>& connections);
   RecordedCloud read(const rosbag::MessageInstance& recorded, const sensor_msgs::CameraInfo* camera) const;
 
   std::vector<std::unique_ptr<rosbag::Bag>> bags_;

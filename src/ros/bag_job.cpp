@@ -24,15 +24,9 @@ PrimitiveArray unreadable(const RecordedCloud& cloud) {
   return message;
 }
 
-MarkerStyle styleOf(const CloudSequence& sequence) {
-  const Params& params = sequence.pipeline().params();
-  return {params.marker_alpha, params.marker_lifetime, sequence.sensorPose().linear() * -Vec3::UnitY(),
-          sequence.sensorPose().translation()};
-}
-
 }  // namespace
 
-BagOutcome detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use) {
+BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use) {
   const BagClouds clouds(job);
   std::optional<BagTransforms> transforms;
   if (!job.params.sensor_frame.empty() || !job.params.target_frame.empty()) transforms.emplace(clouds.bags());
@@ -47,7 +41,7 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const BagFra
   clouds.forEach([&](const RecordedCloud& recorded) {
     if (recorded.header && sequence.begin(recorded.header->stamp)) markers.startAnew();
     const PrimitiveArray message = recorded.cloud ? sequence.process(*recorded.cloud) : unreadable(recorded);
-    if (output) output->write(recorded.recorded, message, markers.update(message, styleOf(sequence)));
+    if (output) output->write(recorded.recorded, message, markers.update(message, sequence.markerStyle()));
     if (recorded.cloud) sequence.pipeline().published();
     if (!first) first = recorded.recorded;
     const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;

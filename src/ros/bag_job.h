@@ -5,13 +5,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "io/report.h"
 #include "primitect/params.h"
-#include "primitect/primitives.h"
 
 namespace primitect::ros_layer {
 
@@ -25,17 +24,6 @@ struct BagJob {
   Params params;
 };
 
-/// What came of one cloud.
-struct BagFrame {
-  double recorded = 0.0;              ///< s after the first one
-  std::uint32_t secs = 0, nsecs = 0;  ///< stamp
-  std::string frame_id;               ///< of what was found
-  const Detections& found;            ///< as the message has it, tracks included
-  std::string problem;                ///< why nothing was, where something is wrong; else empty
-  bool damaged = false;               ///< the bag cannot be read there
-  double processing_ms = 0.0;
-};
-
 /// Of a whole job.
 struct BagOutcome {
   std::string topic;                    ///< that was read
@@ -45,6 +33,6 @@ struct BagOutcome {
 /// Calls use with each frame, in the order of recording. The same as the nodelet makes of the same clouds and
 /// parameters, if it misses none; but transforms are known from the beginning. Throws std::runtime_error naming bag
 /// and cause, std::invalid_argument as Detector does, and what use throws; then there is no output.
-BagOutcome detectInBags(const BagJob& job, const std::function<void(const BagFrame&)>& use);
+BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use);
 
 }  // namespace primitect::ros_layer

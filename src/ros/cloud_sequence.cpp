@@ -30,6 +30,12 @@ PrimitiveArray& CloudSequence::process(const sensor_msgs::PointCloud2& cloud, bo
   return message;
 }
 
+MarkerStyle CloudSequence::markerStyle() const {
+  const Params& params = pipeline_.params();
+  return {params.marker_alpha, params.marker_lifetime, message_from_sensor_.linear() * -Vec3::UnitY(),
+          message_from_sensor_.translation()};
+}
+
 /// Primitives in sensor_frame, or none and why that is not possible.
 PrimitiveArray& CloudSequence::detect(const sensor_msgs::PointCloud2& cloud, bool with_labels) {
   const std::string sensor = frameName(pipeline_.params().sensor_frame);

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "frame_pipeline.h"
+#include "marker_shapes.h"
 #include "tracking.h"
 
 namespace primitect::ros_layer {
@@ -46,6 +47,9 @@ class CloudSequence {
 
   /// Where the sensor was, in the frame of the last message.
   const Eigen::Isometry3d& sensorPose() const { return message_from_sensor_; }
+
+  /// Of markers of the last message: as they can be read from the sensor.
+  MarkerStyle markerStyle() const;
 
   FramePipeline& pipeline() { return pipeline_; }
   const FramePipeline& pipeline() const { return pipeline_; }

@@ -209,11 +209,7 @@ void DetectorNodelet::warnIfSilent() {
 void DetectorNodelet::publish(const PrimitiveArray& message) {
   if (primitives_.getNumSubscribers() > 0) primitives_.publish(message);
   if (markers_.getNumSubscribers() > 0) {
-    marker_style_.alpha = pipeline().params().marker_alpha;
-    marker_style_.lifetime = pipeline().params().marker_lifetime;
-    marker_style_.viewpoint = sequence_->sensorPose().translation();
-    marker_style_.up = sequence_->sensorPose().linear() * -Vec3::UnitY();
-    markers_.publish(marker_writer_.update(message, marker_style_));
+    markers_.publish(marker_writer_.update(message, sequence_->markerStyle()));
   }
   if (!pipeline().hasCloud()) return;
   if (with_labels_ && labels_.getNumSubscribers() > 0) labels_.publish(pipeline().labels(sequence_->sensorHeader()));

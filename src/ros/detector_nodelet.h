@@ -61,7 +61,6 @@ class DetectorNodelet : public nodelet::Nodelet {
   std::unique_ptr<CloudSequence> sequence_;
   std::unique_ptr<DetectorDiagnostics> diagnostics_;
   MarkerWriter marker_writer_;
-  MarkerStyle marker_style_;
   bool with_labels_ = false;  ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
   bool told_not_from_origin_ = false;

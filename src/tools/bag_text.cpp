@@ -3,8 +3,7 @@
 // Lines and sums for a terminal.
 #include "tools/bag_text.h"
 
-#include <algorithm>
-
+#include "core/lower_quartile.h"
 #include "io/shape_text.h"
 #include "tools/format.h"
 
@@ -30,30 +29,25 @@ std::string countsText(const Counts& counts) {
   return text;
 }
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
-std::string frameLine(const ros_layer::BagFrame& frame) {
+std::string frameLine(const io::FrameReport& frame) {
   std::string what = frame.problem;
-  if (what.empty()) what = frame.found.items.empty() ? io::reasonText(frame.found) : countsText(countsOf(frame.found));
+  if (what.empty())
+    what = frame.detections.items.empty() ? io::reasonText(frame.detections) : countsText(countsOf(frame.detections));
   return format("%9.3f s  %5.1f ms  ", frame.recorded, frame.processing_ms) + what + "\n";
 }
 
-void BagSummary::add(const ros_layer::BagFrame& frame) {
+void BagSummary::add(const io::FrameReport& frame) {
   ++clouds_;
   if (problem_.empty()) problem_ = frame.problem;
-  if (frame.found.status != Status::ok) return;
+  if (frame.detections.status != Status::ok) return;
   ++searched_;
-  elsewhere_ += frame.found.seen_from_origin ? 0 : 1;
+  elsewhere_ += frame.detections.seen_from_origin ? 0 : 1;
   milliseconds_.push_back(frame.processing_ms);
-  const Counts counts = countsOf(frame.found);
+  const Counts counts = countsOf(frame.detections);
   for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
-  for (const Detection& item : frame.found.items) {
+  for (const Detection& item : frame.detections.items) {
     tracks_ += item.track_id != 0 && item.age == 0 ? 1 : 0;
   }
 }
@@ -76,7 +70,8 @@ std::string BagSummary::text(const std::string& topic) const {
     text += format("%s %.1f %ss", kind == 0 ? "" : ",", mean, kindName(static_cast<Kind>(kind)));
   }
   if (tracks_ > 0) text += "; " + std::to_string(tracks_) + (tracks_ == 1 ? " track" : " tracks");
-  return text + format("; median %.1f ms.\n", medianOf(milliseconds_));
+  List<double> milliseconds(milliseconds_.begin(), milliseconds_.end());
+  return text + format("; median %.1f ms.\n", median(milliseconds));
 }
 
 }  // namespace primitect::tools

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "ros/bag_job.h"
+#include "io/report.h"
 
 namespace primitect::tools {
 
 /// One line: when it was recorded, how many of each kind were found, or why nothing was, and the time it took.
-std::string frameLine(const ros_layer::BagFrame& frame);
+std::string frameLine(const io::FrameReport& frame);
 
 /// Of all clouds of a recording.
 class BagSummary {
  public:
-  void add(const ros_layer::BagFrame& frame);
+  void add(const io::FrameReport& frame);
 
   /// "51 clouds on /camera/points, 51 searched. ..."; where none was, why.
   std::string text(const std::string& topic) const;

@@ -14,7 +14,7 @@
 namespace {
 
 namespace tools = primitect::tools;
-using primitect::ros_layer::BagFrame;
+using primitect::io::FrameReport;
 
 enum ExitCode : int { kOk = 0, kBadFile = 1, kBadUsage = 2 };
 
@@ -25,12 +25,11 @@ class JsonLines {
 
   bool toStdout() const { return path_ == "-"; }
 
-  void write(const BagFrame& frame) {
+  void write(const FrameReport& frame) {
     if (path_.empty()) return;
     if (!toStdout() && !file_.is_open()) file_.open(path_);  // an older one stays until there is something new
     std::ostream& out = toStdout() ? std::cout : file_;
-    out << primitect::io::frameJson(
-        {frame.secs, frame.nsecs, frame.frame_id, frame.problem, frame.found, frame.processing_ms});
+    out << primitect::io::frameJson(frame);
     if (!toStdout()) check();
   }
 
@@ -61,7 +60,7 @@ int run(const tools::DetectBagOptions& options) {
   bool damaged = false;
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGPIPE, SIG_IGN);  // whoever read the output has enough: an error as any other
-  const auto use = [&](const BagFrame& frame) {
+  const auto use = [&](const FrameReport& frame) {
     if (interrupted) throw std::runtime_error("interrupted; no bag is left");
     json.write(frame);
     summary.add(frame);

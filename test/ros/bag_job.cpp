@@ -52,20 +52,20 @@ std::vector<float> depthAt(int k) {
 
 std::vector<Detections> foundIn(const BagJob& job) {
   std::vector<Detections> found;
-  detectInBags(job, [&found](const BagFrame& frame) { found.push_back(frame.found); });
+  detectInBags(job, [&found](const io::FrameReport& frame) { found.push_back(frame.detections); });
   return found;
 }
 
 std::vector<std::string> problemsOf(const BagJob& job) {
   std::vector<std::string> problems;
-  detectInBags(job, [&problems](const BagFrame& frame) { problems.push_back(frame.problem); });
+  detectInBags(job, [&problems](const io::FrameReport& frame) { problems.push_back(frame.problem); });
   return problems;
 }
 
 /// What keeps a job from running.
 std::string refusalOf(const BagJob& job) {
   try {
-    detectInBags(job, [](const BagFrame&) {});
+    detectInBags(job, [](const io::FrameReport&) {});
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -127,7 +127,7 @@ TEST_F(BagJobs, FindInEachCloudWhatThePipelineFinds) {
 TEST_F(BagJobs, TellStampFrameAndTimeOfEachCloud) {
   std::vector<std::uint32_t> nanoseconds;
   std::vector<double> recorded;
-  const BagOutcome outcome = detectInBags(jobOf({cloudBag("clouds.bag", 1, 2)}), [&](const BagFrame& frame) {
+  const BagOutcome outcome = detectInBags(jobOf({cloudBag("clouds.bag", 1, 2)}), [&](const io::FrameReport& frame) {
     EXPECT_EQ(frame.frame_id, "camera");
     EXPECT_EQ(frame.secs, 1000u);
     EXPECT_GT(frame.processing_ms, 0.0);
@@ -242,7 +242,7 @@ TEST_F(BagJobs, KnowTheTransformsOfTheRecordingFromItsBeginning) {
   job.params.target_frame = "base";
   std::string frame_id;
   Detections in_base;
-  detectInBags(job, [&](const BagFrame& frame) { frame_id = frame.frame_id, in_base = frame.found; });
+  detectInBags(job, [&](const io::FrameReport& frame) { frame_id = frame.frame_id, in_base = frame.detections; });
   EXPECT_EQ(frame_id, "base");
   ASSERT_EQ(in_base.items.size(), in_camera.items.size());
   for (std::size_t i = 0; i < in_base.items.size(); ++i) {
@@ -278,7 +278,8 @@ TEST_F(BagJobs, FollowTransformsThatMoveWhateverTheirOrder) {
   const std::vector<Detections> in_camera = foundIn(job);
   job.params.target_frame = "base";
   std::vector<Detections> in_base;
-  const BagOutcome outcome = detectInBags(job, [&](const BagFrame& frame) { in_base.push_back(frame.found); });
+  const BagOutcome outcome =
+      detectInBags(job, [&](const io::FrameReport& frame) { in_base.push_back(frame.detections); });
   EXPECT_EQ(outcome.unusable_transforms, 1u);
   ASSERT_EQ(in_base.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -289,7 +290,7 @@ TEST_F(BagJobs, FollowTransformsThatMoveWhateverTheirOrder) {
   job.params.target_frame = "";
   job.params.sensor_frame = "base";  // only to be looked up
   std::vector<Detections> from_base;
-  detectInBags(job, [&](const BagFrame& frame) { from_base.push_back(frame.found); });
+  detectInBags(job, [&](const io::FrameReport& frame) { from_base.push_back(frame.detections); });
   ASSERT_EQ(from_base.size(), 3u);
   for (const Detections& found : from_base) EXPECT_EQ(found.status, Status::ok);
 }
@@ -370,7 +371,7 @@ TEST_F(BagJobs, LeaveABagOfPrimitivesAndMarkers) {
 TEST_F(BagJobs, LeaveNoBagWhereTheyDoNotEnd) {
   BagJob job = jobOf({cloudBag("clouds.bag", 0, 2)});
   job.output = path("found.bag");
-  EXPECT_THROW(detectInBags(job, [](const BagFrame&) { throw std::runtime_error("full"); }), std::runtime_error);
+  EXPECT_THROW(detectInBags(job, [](const io::FrameReport&) { throw std::runtime_error("full"); }), std::runtime_error);
   std::vector<std::string> left;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(path("")).parent_path()))
     left.push_back(entry.path().filename());
