@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 # primitect_test(NAME LIBRARIES...): a gtest from NAME.cpp in the current folder.
-# Target `tests` builds all of them; ctest runs them.
+# Target `tests` builds all of them; ctest runs them. With sanitizers some are left out or made of another build, then
+# there is no target test_NAME: see sanitized_tests.cmake.
 
 if(NOT TARGET tests)
   add_custom_target(tests)
@@ -27,26 +28,36 @@ if(PRIMITECT_SANITIZE)
   target_compile_options(primitect_test_support PUBLIC -fno-sanitize=undefined)
 endif()
 
-# Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
-# parts have tests of their own, and detect_program starts the program, too.
-set(PRIMITECT_NOT_SANITIZED paper_dataset small_scene touching_nees mechanical_part tabletop lying_tubes close_heights
-  seen_lengths detect_sensor detect_runs)
+# Gold links a test in a fifth of the time.
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=gold)
+check_cxx_source_compiles("int main() { return 0; }" PRIMITECT_HAS_GOLD)
+unset(CMAKE_REQUIRED_LINK_OPTIONS)
+if(PRIMITECT_HAS_GOLD)
+  target_link_options(primitect_test_support PUBLIC -fuse-ld=gold)
+endif()
+
+include(cmake/sanitized_tests.cmake)
 
 function(primitect_test name)
+  primitect_sanitized_test(done ${name} ${ARGN})
+  if(done)
+    return()
+  endif()
   if(PRIMITECT_ROS)
     catkin_add_gtest(test_${name} ${name}.cpp)
   else()
     add_executable(test_${name} EXCLUDE_FROM_ALL ${name}.cpp)
     target_link_libraries(test_${name} GTest::gtest)
-    if(NOT PRIMITECT_SANITIZE OR NOT name IN_LIST PRIMITECT_NOT_SANITIZED)
-      add_test(NAME ${name} COMMAND test_${name})
-      set_tests_properties(${name} PROPERTIES ENVIRONMENT "ASAN_OPTIONS=alloc_dealloc_mismatch=0;UBSAN_OPTIONS=print_stacktrace=1")
-      add_dependencies(tests test_${name})
-    endif()
+    add_test(NAME ${name} COMMAND test_${name})
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${sanitizer_options}")
+    add_dependencies(tests test_${name})
   endif()
   target_link_libraries(test_${name} primitect_test_support GTest::gtest_main ${ARGN})
   # What comes with PCL is compiled with -fPIC, which the precompiled headers do not fit.
-  if(NOT "${ARGN}" MATCHES "pcl_common")
+  if("${ARGN}" MATCHES "pcl_common")
+    target_include_directories(test_${name} SYSTEM PRIVATE ${PCL_INCLUDE_DIRS})
+  else()
     target_precompile_headers(test_${name} REUSE_FROM primitect_test_support)
   endif()
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})

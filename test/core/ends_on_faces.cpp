@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/frame_around.h"
 #include "test/support/exact_shapes.h"
 
 namespace primitect {
@@ -35,7 +35,7 @@ Detection table() {
 Extent between(const Vec3& from, const Vec3& to, double radius_small, double radius) {
   Extent extent;
   extent.origin = 0.5 * (from + to);
-  extent.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), (to - from).normalized()).toRotationMatrix();
+  extent.rotation = frameAround((to - from).normalized(), (to - from).unitOrthogonal());
   extent.size.z() = (to - from).norm();
   extent.radius_small = radius_small, extent.radius = radius;
   return extent;

@@ -14,6 +14,7 @@
 
 #include "core/axis_extent.h"
 #include "core/extent.h"
+#include "core/frame_around.h"
 #include "primitect/detector.h"
 #include "test/support/hypotheses.h"
 #include "test/support/linear_algebra.h"
@@ -183,7 +184,7 @@ Detection measuredTube(std::initializer_list<test::TubePart> parts, const NoiseM
   Detection found;
   found.shape = kCan;
   found.extent.origin = kCan.point;
-  found.extent.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), kCan.axis).toRotationMatrix();
+  found.extent.rotation = frameAround(kCan.axis, kCan.axis.unitOrthogonal());
   found.extent.size.z() = 2.0 * reach;
   found.extent.radius = kCan.radius;
   return measuredOn(test::cloudOf(measured(test::tubeOf(kCan, parts, random), kNoise, 0.0, random)), noise, found);

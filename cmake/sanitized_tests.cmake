@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: 2026 The primitect developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Which tests run with sanitizers, and how: with PRIMITECT_TESTS_FROM most are those of that build, run with the sanitized
+# libraries of this one. Their own code goes unchecked, what they hand to the libraries does not.
+
+# Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
+# parts have tests of their own, and detect_program starts the program, too.
+set(PRIMITECT_NOT_SANITIZED paper_dataset small_scene touching_nees mechanical_part tabletop lying_tubes close_heights
+  seen_lengths detect_sensor detect_runs)
+# Those that must know at compile time whether they have sanitizers.
+set(PRIMITECT_KNOW_SANITIZERS allocations frame_memory)
+
+# What libpcl takes in one way it gives back in another.
+set(sanitizer_options "ASAN_OPTIONS=alloc_dealloc_mismatch=0;UBSAN_OPTIONS=print_stacktrace=1")
+if(PRIMITECT_TESTS_FROM)
+  # What was built without sanitizers must have them loaded before all else.
+  foreach(name asan ubsan)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=lib${name}.so
+      OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
+    list(APPEND runtimes ${runtime})
+  endforeach()
+  list(JOIN runtimes ":" runtimes)
+  set(sanitized_libraries "LD_PRELOAD=${runtimes};LD_LIBRARY_PATH=${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+endif()
+
+# Sets DONE where nothing is to be built: the test is left out, or that of another build is run. Of a static library a test
+# has a part of its own and must be built.
+function(primitect_sanitized_test done name)
+  set(${done} FALSE PARENT_SCOPE)
+  if(PRIMITECT_SANITIZE AND name IN_LIST PRIMITECT_NOT_SANITIZED)
+    set(${done} TRUE PARENT_SCOPE)
+  endif()
+  if(NOT PRIMITECT_TESTS_FROM OR name IN_LIST PRIMITECT_NOT_SANITIZED OR name IN_LIST PRIMITECT_KNOW_SANITIZERS)
+    return()
+  endif()
+  foreach(library ${ARGN})
+    if(TARGET ${library})
+      get_target_property(type ${library} TYPE)
+      if(type STREQUAL "STATIC_LIBRARY")
+        return()
+      endif()
+    endif()
+  endforeach()
+  add_test(NAME ${name} COMMAND ${PRIMITECT_TESTS_FROM}/devel/lib/primitect/test_${name})
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT "${sanitizer_options};${sanitized_libraries}")
+  set(${done} TRUE PARENT_SCOPE)
+endfunction()
