@@ -10,7 +10,9 @@
 
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
+#include "compressed_depth.h"
 #include "depth_clouds.h"
 
 namespace primitect::ros_layer {
@@ -38,29 +40,41 @@ std::string listText(const Types& types) {
   return text.empty() ? "nothing" : text;
 }
 
-/// The topics that may be searched, and what can be done about others.
-std::string choiceText(const Types& types) {
+bool isImage(const std::string& type) {
+  return type == typeName<sensor_msgs::Image>() || type == typeName<sensor_msgs::CompressedImage>();
+}
+
+/// Of compressed images those whose name says that they are depths; of raw ones any: colour images have the same type.
+bool mayBeDepth(const std::string& topic, const std::string& type) {
+  constexpr std::string_view kEnd = "/compressedDepth";
+  if (type == typeName<sensor_msgs::Image>()) return true;
+  return type == typeName<sensor_msgs::CompressedImage>() && topic.size() > kEnd.size() &&
+         topic.compare(topic.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+}
+
+Types cloudTopics(const Types& types) {
   Types clouds;
-  std::string advice;
   for (const auto& [topic, type] : types) {
-    if (type == typeName<sensor_msgs::PointCloud2>() || type == typeName<sensor_msgs::Image>()) clouds[topic] = type;
-    if (type == typeName<sensor_msgs::CompressedImage>()) {
-      advice = "; compressed depth images are not read, rosrun image_transport republish makes raw ones of them";
-    }
+    if (type == typeName<sensor_msgs::PointCloud2>()) clouds[topic] = type;
   }
-  return listText(clouds) + advice;
+  return clouds;
 }
 
-std::vector<std::string> topicsOf(const Types& types, const std::string& wanted) {
-  std::vector<std::string> found;
+Types depthTopics(const Types& types) {
+  Types images;
   for (const auto& [topic, type] : types) {
-    if (type == wanted) found.push_back(topic);
+    if (mayBeDepth(topic, type)) images[topic] = type;
   }
-  return found;
+  return images;
 }
 
-/// "/camera/depth/image_raw" -> "/camera/depth/camera_info", as image_transport has it.
-std::string cameraInfoBeside(const std::string& image) { return image.substr(0, image.rfind('/') + 1) + "camera_info"; }
+/// "/camera/depth/image_raw" -> "/camera/depth/camera_info", as image_transport has it; that of a compressed image,
+/// "/camera/depth/image_raw/compressedDepth", is the raw one's.
+std::string cameraInfoBeside(const std::string& image, const std::string& type) {
+  const bool raw = type == typeName<sensor_msgs::Image>();
+  const std::string raw_image = raw ? image : image.substr(0, image.rfind('/'));
+  return raw_image.substr(0, raw_image.rfind('/') + 1) + "camera_info";
+}
 
 /// Throws std::runtime_error where its fields are others than those of this version.
 template <class Message>
@@ -68,6 +82,12 @@ boost::shared_ptr<Message const> messageOf(const rosbag::MessageInstance& record
   const auto message = recorded.instantiate<Message>();
   if (!message) throw std::runtime_error("its " + recorded.getDataType() + " has other fields than that of this ROS");
   return message;
+}
+
+/// Whatever it was packed in.
+sensor_msgs::ImageConstPtr imageOf(const rosbag::MessageInstance& recorded) {
+  if (!recorded.isType<sensor_msgs::CompressedImage>()) return messageOf<sensor_msgs::Image>(recorded);
+  return unpackedDepth(*messageOf<sensor_msgs::CompressedImage>(recorded));
 }
 
 /// Null where it cannot be read: then the one before it counts.
@@ -99,12 +119,14 @@ void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::C
   const std::string cloud = typeName<sensor_msgs::PointCloud2>(), image = typeName<sensor_msgs::Image>();
   topic_ = job.topic;
   if (topic_.empty()) {
-    std::vector<std::string> topics = topicsOf(types, cloud);
-    if (topics.empty()) topics = topicsOf(types, image);
+    Types topics = cloudTopics(types);
+    const Types images = depthTopics(types);
+    if (topics.empty()) topics = images;
     if (topics.size() != 1) {
-      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + choiceText(types));
+      topics.insert(images.begin(), images.end());
+      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + listText(topics));
     }
-    topic_ = topics[0];
+    topic_ = topics.begin()->first;
   }
   if (types.count(topic_) == 0 && types.count("/" + topic_) > 0) topic_ = "/" + topic_;
   const std::string type = types.count(topic_) > 0 ? types[topic_] : "";
@@ -113,8 +135,8 @@ void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::C
     throw std::runtime_error("--camera-info is of depth images, and " + topic_ + " is a " + type);
   }
   if (type == cloud) return;
-  if (type != image) throw std::runtime_error(topic_ + " is a " + type + ", expected is a " + cloud + " or " + image);
-  camera_info_ = job.camera_info.empty() ? cameraInfoBeside(topic_) : job.camera_info;
+  if (!isImage(type)) throw std::runtime_error(topic_ + " is a " + type + ", expected is a " + cloud + " or " + image);
+  camera_info_ = job.camera_info.empty() ? cameraInfoBeside(topic_, type) : job.camera_info;
   if (types.count(camera_info_) > 0 && types[camera_info_] == typeName<sensor_msgs::CameraInfo>()) return;
   throw std::runtime_error("the depth image " + topic_ + " needs a camera_info, and " + camera_info_ +
                            " is none; there is: " + listText(types));
@@ -125,7 +147,7 @@ RecordedCloud BagClouds::read(const rosbag::MessageInstance& recorded, const sen
   cloud.recorded = recorded.getTime();
   try {
     if (ofDepthImages()) {
-      const auto image = messageOf<sensor_msgs::Image>(recorded);
+      const auto image = imageOf(recorded);
       cloud.header = image->header;
       if (!camera) throw std::runtime_error("no camera_info before it can be read");
       cloud.cloud = cloudOf(image, *camera);

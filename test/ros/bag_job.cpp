@@ -7,12 +7,14 @@
 #include <primitect/PrimitiveArray.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -150,6 +152,38 @@ TEST_F(BagJobs, SearchTheCloudsOfDepthImages) {
   EXPECT_EQ(cloud->header.frame_id, "camera");
   expectSame(of_depth[0], fromMessage(pipeline.process(*cloud)));
   EXPECT_GT(of_depth[0].items.size(), 3u);
+}
+
+/// As compressed_depth_image_transport makes it of an image of 16UC1.
+sensor_msgs::CompressedImage packed(const sensor_msgs::Image& depth) {
+  sensor_msgs::CompressedImage packed;
+  packed.header = depth.header;
+  packed.format = "16UC1; compressedDepth png";
+  const cv::Mat stored(static_cast<int>(depth.height), static_cast<int>(depth.width), CV_16UC1,
+                       const_cast<std::uint8_t*>(depth.data.data()), depth.step);
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", stored, png);
+  packed.data.assign(12, 0);
+  packed.data.insert(packed.data.end(), png.begin(), png.end());
+  return packed;
+}
+
+TEST_F(BagJobs, SearchCompressedDepthImagesAsRawOnes) {
+  const Detections raw = foundIn(jobOf({depthBag("16UC1")})).at(0);
+  {
+    rosbag::Bag bag(path("packed.bag"), rosbag::bagmode::Write);
+    bag.write("/camera/depth/camera_info", headerAt(0).stamp, cameraInfo(headerAt(0), kCamera));
+    bag.write("/camera/depth/image_raw/compressedDepth", headerAt(0).stamp,
+              packed(*depthImage(headerAt(0), depthAt(0), kCamera, "16UC1")));
+    sensor_msgs::CompressedImage colour;
+    colour.format = "rgb8; jpeg compressed bgr8";
+    bag.write("/camera/rgb/image_raw/compressed", headerAt(0).stamp, colour);
+  }
+  BagJob job = jobOf({path("packed.bag")});
+  expectSame(foundIn(job).at(0), raw);
+  job.topic = "/camera/rgb/image_raw/compressed";
+  job.camera_info = "/camera/depth/camera_info";
+  EXPECT_NE(problemsOf(job).at(0).find("'rgb8; jpeg compressed bgr8', expected is"), std::string::npos);
 }
 
 TEST_F(BagJobs, GiveThePixelsOfADepthImageTheirPlaces) {
