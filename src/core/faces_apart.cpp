@@ -139,13 +139,12 @@ void FacesApart::markCells() {
 /// its core. Not by more: a longer end may be where another surface passes through the plane, which fronts of boxes
 /// would have along the table.
 void FacesApart::growPieces() {
-  constexpr int kSteps = 2;
   struct Joining {
     std::size_t cell;
     int piece;
   };
   List<Joining> joining;
-  for (int step = 0; step < kSteps; ++step) {
+  for (std::size_t step = 0; step < kSteps; ++step) {
     joining.clear();
     for (std::size_t cell = columns_; cell + columns_ < points_.size(); ++cell) {
       if (points_[cell] == 0 || piece_[cell] != kNone) continue;
@@ -216,6 +215,35 @@ FacesApart::Cells FacesApart::cellsInside(const List<Vec2>& outline) const {
   return inside;
 }
 
+/// As far from the box around a piece as that is long, and as a piece grows: two that are farther from each other than
+/// both are long, as two lids with a crate before all that is between them, do not tell of a face that leads from one
+/// to the other.
+FacesApart::Cells FacesApart::cellsInReach() const {
+  Cells reached(points_.size(), 0);
+  for (const CellBox& box : boxesOfPieces()) {
+    const std::size_t reach = std::max(box.right - box.left, box.bottom - box.top) + 1 + kSteps;
+    const std::size_t left = box.left - std::min(box.left, reach), right = std::min(box.right + reach, columns_ - 1ul);
+    const std::size_t top = box.top - std::min(box.top, reach), bottom = std::min(box.bottom + reach, rows_ - 1ul);
+    for (std::size_t row = top; row <= bottom; ++row) {
+      std::fill_n(reached.begin() + static_cast<std::ptrdiff_t>(row * columns_ + left), right - left + 1, 1);
+    }
+  }
+  return reached;
+}
+
+List<FacesApart::CellBox> FacesApart::boxesOfPieces() const {
+  List<CellBox> boxes(pieces_.size(), CellBox{columns_, 0, rows_, 0});
+  for (const Span& span : spans_) {
+    CellBox& box = boxes[static_cast<std::size_t>(span.piece)];
+    const std::size_t row = span.begin / columns_;
+    box.left = std::min(box.left, span.begin % columns_);
+    box.right = std::max(box.right, (span.end - 1) % columns_);
+    box.top = std::min(box.top, row);
+    box.bottom = std::max(box.bottom, row);
+  }
+  return boxes;
+}
+
 void FacesApart::find(const LabelledImage& image, const Plane& plane, std::size_t least) {
   constexpr std::size_t kOfCores = 13;  // a single core and the cells that are at most two steps away
   faces_.clear();
@@ -224,9 +252,9 @@ void FacesApart::find(const LabelledImage& image, const Plane& plane, std::size_
   findPieces(coresOf(part));
   left_ = count_ - std::accumulate(pieces_.begin(), pieces_.end(), std::size_t{0});
   if (!areSeveral(least / kOfCores)) return;
-  const Cells inside = cellsInside(outline());
+  const Cells inside = cellsInside(outline()), reached = cellsInReach();
   for (std::size_t cell = 0; cell < part.size(); ++cell) {
-    if (!part[cell] && inside[cell] && !isBehind(cell, image, plane)) part[cell] = 1;
+    if (!part[cell] && inside[cell] && reached[cell] && !isBehind(cell, image, plane)) part[cell] = 1;
   }
   findPieces(coresOf(part));
   markCells();

@@ -27,7 +27,8 @@ struct LabelledImage {
 
 /// The points of one plane in an image, in square cells of some pixels. Faces are one where they touch over three
 /// cells, and where they may go on behind what hides them, or where nothing was measured; not where what lies behind
-/// the plane is seen between them. What is less than three cells wide is no face, nor is the end of one.
+/// the plane is seen between them, nor where the gap is wider than both are long. What is less than three cells wide
+/// is no face, nor is the end of one.
 class FacesApart {
  public:
   /// Of a plane whose points lie in this box: cells as small as takes little time.
@@ -67,6 +68,13 @@ class FacesApart {
     int piece;
   };
 
+  /// Of cells, all of them within.
+  struct CellBox {
+    std::size_t left, right, top, bottom;
+  };
+
+  static constexpr std::size_t kSteps = 2;  ///< that a piece grows by (cells)
+
   FacesApart(const PixelBox& box, std::uint32_t width, std::uint32_t edge);
   static std::uint32_t edgeOfCells(const PixelBox& box);
   std::size_t cellAt(std::uint32_t column, std::uint32_t row) const;
@@ -82,6 +90,8 @@ class FacesApart {
   bool isBehind(std::size_t cell, const LabelledImage& image, const Plane& plane) const;
   List<Vec2> outline() const;
   Cells cellsInside(const List<Vec2>& outline) const;
+  List<CellBox> boxesOfPieces() const;
+  Cells cellsInReach() const;
 
   PixelBox box_;
   std::uint32_t width_;           ///< of the image (px)

@@ -161,6 +161,37 @@ TEST(CoplanarFaces, MayHaveASideThatNothingExplains) {
   EXPECT_GE(found, 2 * kSeeds - 2);  // of the one behind 700 pixels are seen: not every draw has enough of them
 }
 
+/// Nothing is seen of what lies between them.
+TEST(CoplanarFaces, AreApartWhereTheyAreFarFromEachOtherForTheirSize) {
+  constexpr double kCan = 0.12, kRadius = 0.035, kApart = 0.48;  // m
+  const Plane lids = {Vec3(0, 0, kCan), Vec3::UnitZ()};
+  for (int seed = 1; seed <= 6; ++seed) {
+    Table table;
+    for (const double x : {-0.5 * kApart, 0.5 * kApart}) {
+      table.world.add("can", synthetic::Rod{kRadius, 0.5 * kCan}, at(x, 0.05, 0.5 * kCan));
+    }
+    table.addBox(0.0, 0.0, 0.4, 0.24);
+    const std::vector<Detection> found = table.planesIn(lids, seed);
+    ASSERT_EQ(found.size(), 2u) << "seed " << seed;
+    for (const std::size_t k : {0, 1}) {
+      EXPECT_NEAR(found[k].extent.size.x(), 2.0 * kRadius, 0.006);
+      EXPECT_GT(found[k].coverage, 0.9f);
+    }
+  }
+}
+
+/// As wide a gap as before, between the ends of a board.
+TEST(CoplanarFaces, AreOneWhereTheyAreLongForTheGap) {
+  for (int seed = 1; seed <= 3; ++seed) {
+    Table table;
+    table.world.add("board", synthetic::Box{0.45, 0.05, 0.06}, at(0.0, 0.05, 0.06));
+    table.addBox(0.0, -0.06, 0.3, 0.24);  // of the board it hides 0.4 m
+    const std::vector<Detection> found = table.planesIn({Vec3(0, 0, 0.12), Vec3::UnitZ()}, seed);
+    ASSERT_EQ(found.size(), 1u) << "seed " << seed;
+    EXPECT_GT(found[0].extent.size.x(), 0.85);
+  }
+}
+
 TEST(CoplanarFaces, MayAllHaveTheWavesOfTheCamera) {
   constexpr double kWaves = 0.0035;  // of the depth: 1.7 standard deviations of its noise
   for (int seed = 1; seed <= 3; ++seed) {
