@@ -222,8 +222,9 @@ FacesApart::Cells FacesApart::cellsInReach() const {
   Cells reached(points_.size(), 0);
   for (const CellBox& box : boxesOfPieces()) {
     const std::size_t reach = std::max(box.right - box.left, box.bottom - box.top) + 1 + kSteps;
-    const std::size_t left = box.left - std::min(box.left, reach), right = std::min(box.right + reach, columns_ - 1ul);
-    const std::size_t top = box.top - std::min(box.top, reach), bottom = std::min(box.bottom + reach, rows_ - 1ul);
+    const std::size_t left = box.left - std::min(box.left, reach), top = box.top - std::min(box.top, reach);
+    const auto right = std::min<std::size_t>(box.right + reach, columns_ - 1);
+    const auto bottom = std::min<std::size_t>(box.bottom + reach, rows_ - 1);
     for (std::size_t row = top; row <= bottom; ++row) {
       std::fill_n(reached.begin() + static_cast<std::ptrdiff_t>(row * columns_ + left), right - left + 1, 1);
     }
