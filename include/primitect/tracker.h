@@ -57,7 +57,8 @@ class Tracker {
  private:
   struct Thing {
     Track track;
-    Sighting last, before;  ///< the last two, the way round that the track goes on
+    Sighting last, before;  ///< the last two
+    Vec3 way;               ///< that its axis as a cylinder, or its longer side, points to; a cone in between may not
     double seen = 0.0;      ///< s, the last one
   };
   /// A thing of before that may be a sighting.

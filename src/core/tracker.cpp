@@ -75,15 +75,11 @@ std::optional<double> costOf(const Sighting& before, const Sighting& now, double
   return cost.sum();
 }
 
-bool isReversed(const Sighting& before, const Sighting& now) {
-  if (now.kind == Kind::cylinder) return before.direction.dot(now.direction) < 0.0;
-  return now.kind == Kind::plane && before.across.dot(now.across) < 0.0;
-}
+/// What may turn round without another look: the axis of a cylinder, the longer side of a plane.
+bool mayTurnRound(Kind kind) { return kind == Kind::cylinder || kind == Kind::plane; }
 
-void reverse(Sighting& sighting) {
-  Vec3& reversed = sighting.kind == Kind::plane ? sighting.across : sighting.direction;
-  reversed = -reversed;
-}
+/// The direction that may, or that of the axis of a cone.
+Vec3 wayOf(const Sighting& sighting) { return sighting.kind == Kind::plane ? sighting.across : sighting.direction; }
 
 }  // namespace
 
@@ -162,7 +158,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     Track& track = tracks_[s];
     if (thing_of_[s] == kNone) {
       track.id = next_id_++;
-      things_.push_back({track, sightings[s], sightings[s], seconds});
+      things_.push_back({track, sightings[s], sightings[s], wayOf(sightings[s]), seconds});
       continue;
     }
     Thing& thing = things_[thing_of_[s]];
@@ -170,8 +166,10 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     thing.last = sightings[s];
     thing.seen = seconds;
     track = thing.track;
-    track.reversed = isReversed(thing.before, thing.last);
-    if (track.reversed) reverse(thing.last);
+    const Vec3 way = wayOf(thing.last);
+    const bool opposite = way.dot(thing.way) < 0.0;
+    track.reversed = opposite && mayTurnRound(thing.last.kind);
+    thing.way = opposite ? Vec3(-way) : way;
   }
   return tracks_;
 }

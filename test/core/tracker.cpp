@@ -161,8 +161,9 @@ TEST(Tracker, LeavesConesAndBallsAsTheyAre) {
   Sighting cone = can({0, 0, 1});
   cone.kind = Kind::cone;
   const Sighting tube = can({0, 0, 1}, -Vec3::UnitZ());
-  // The axis of a cone points away from its apex; a tube that is taken for one again is turned with it.
-  EXPECT_EQ(reversedIn({tube, cone, tube}), (std::vector<bool>{false, false, true}));
+  // The axis of a cone points away from its apex, which way ever that of the tube does that it is taken for again.
+  EXPECT_EQ(reversedIn({tube, cone, cone, tube}), (std::vector<bool>{false, false, false, false}));
+  EXPECT_EQ(reversedIn({cone, tube, cone, tube}), (std::vector<bool>{false, true, false, true}));
   EXPECT_EQ(reversedIn({ball({0, 0, 1}), ball({0, 0, 1})}), (std::vector<bool>{false, false}));
   EXPECT_TRUE(halfTurn(Kind::cone).isApprox(Eigen::Quaterniond::Identity()));
   EXPECT_TRUE(halfTurn(Kind::sphere).isApprox(Eigen::Quaterniond::Identity()));
