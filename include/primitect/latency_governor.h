@@ -3,6 +3,7 @@
 // How much effort frames may be so that they keep to a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -37,8 +38,14 @@ class LatencyGovernor {
   std::uint64_t frames() const { return frames_; }
   std::uint64_t missed() const { return missed_; }  ///< frames that took longer than the bound
 
-  /// Even the least share misses the bound, twice in a row.
-  bool hopeless() const { return share_ <= least_share_ && lastTwo() > bound_; }
+  /// The last frames, whatever their share: so many, 100 at most, and how many of them took longer than the bound.
+  std::uint64_t framesLately() const { return std::min<std::uint64_t>(frames_, late_.size()); }
+  std::uint64_t missedLately() const { return missed_lately_; }
+  /// More of these than the 5 % that the share aims at, and more than two.
+  bool missesBound() const;
+
+  /// Even the least share misses the bound, more often than that.
+  bool hopeless() const;
 
  private:
   /// A place in the frame where shareInTime() is asked.
@@ -49,6 +56,7 @@ class LatencyGovernor {
   };
 
   void learnRest(double seconds);
+  std::size_t missesOfShare() const;
   double lastTwo() const;
   double secondLargest() const;
   void adapt();
@@ -60,7 +68,8 @@ class LatencyGovernor {
   std::array<Place, 16> places_;
   std::size_t asked_ = 0;    ///< places in this frame
   double would_take_ = 0.0;  ///< s; this frame, if it had not been cut short; 0: it was not
-  std::uint64_t frames_ = 0, missed_ = 0;
+  std::uint64_t frames_ = 0, missed_ = 0, missed_lately_ = 0;
+  std::array<bool, 100> late_ = {};  ///< frames that took longer than the bound, each in the place of its number
 };
 
 }  // namespace primitect

@@ -68,8 +68,11 @@ double LatencyGovernor::shareInTime(double elapsed) {
 }
 
 void LatencyGovernor::endFrame(double seconds) {
-  ++frames_;
-  if (seconds > bound_) ++missed_;
+  bool& late = late_[frames_++ % late_.size()];
+  missed_lately_ -= late ? 1 : 0;
+  late = seconds > bound_;
+  missed_lately_ += late ? 1 : 0;
+  missed_ += late ? 1 : 0;
   learnRest(seconds);
   if (costs_.size() == kFrames) costs_.erase(costs_.begin());
   // A frame that kept the bound because the search was cut that short asks for fewer samples all the same.
@@ -112,13 +115,22 @@ double LatencyGovernor::secondLargest() const {
   return largest[1];
 }
 
+/// Of the last kFrames.
+std::size_t LatencyGovernor::missesOfShare() const {
+  const auto missed = [this](double cost) { return cost > bound_; };
+  return static_cast<std::size_t>(std::count_if(costs_.begin(), costs_.end(), missed));
+}
+
+bool LatencyGovernor::hopeless() const { return share_ <= least_share_ && missesOfShare() > kMissesAllowed; }
+
+bool LatencyGovernor::missesBound() const {
+  return missed_lately_ > kMissesAllowed && missed_lately_ * kFrames > framesLately() * kMissesAllowed;
+}
+
 void LatencyGovernor::adapt() {
   constexpr double kMostDown = 0.25, kMostUp = 2.0;
   if (lastTwo() > bound_) return scaleShare(std::max(kMostDown, kAim * bound_ / lastTwo()));
-  const auto missed = [this](double cost) { return cost > bound_; };
-  if (std::count_if(costs_.begin(), costs_.end(), missed) > static_cast<std::ptrdiff_t>(kMissesAllowed)) {
-    return scaleShare(kAim);
-  }
+  if (missesOfShare() > kMissesAllowed) return scaleShare(kAim);
   if (costs_.size() < kFramesToGrow) return;
   // Votes grow with the square of the share, samples times references, all else in proportion or less.
   const double room = kAim * bound_ / secondLargest();

@@ -8,6 +8,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -26,10 +27,11 @@ std::string typeName() {
 }
 
 std::unique_ptr<rosbag::Bag> opened(const std::string& path) try {
+  if (!std::filesystem::exists(path)) throw std::runtime_error(path + ": no such file");
   return std::make_unique<rosbag::Bag>(path, rosbag::bagmode::Read);
 } catch (const rosbag::BagUnindexedException&) {
   throw std::runtime_error(path + ": it has no index, as it was not closed: rosbag reindex makes one");
-} catch (const std::exception& error) {
+} catch (const rosbag::BagException& error) {
   throw std::runtime_error(path + ": cannot be read as a bag: " + error.what() +
                            " (of one that is cut off rosbag reindex saves the rest)");
 }

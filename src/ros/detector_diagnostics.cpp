@@ -3,6 +3,8 @@
 // Three tasks, each a summary and its numbers.
 #include "detector_diagnostics.h"
 
+#include <algorithm>
+
 #include "primitect/kernel_choice.h"
 #include "primitect/noisy_image.h"
 
@@ -65,6 +67,20 @@ void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, cons
   governor_ = nullptr;
 }
 
+bool DetectorDiagnostics::timeWentBack() {
+  ++times_back_;
+  std::rotate(last_back_.begin(), last_back_.end() - 1, last_back_.end());
+  last_back_.front() = SteadyClock::now();
+  startAnew();
+  return goesBackOften();
+}
+
+/// A bag that is played in a loop goes back less often.
+bool DetectorDiagnostics::goesBackOften() const {
+  constexpr double kSeconds = 10.0;
+  return times_back_ >= last_back_.size() && secondsSince(last_back_.back()) < kSeconds;
+}
+
 void DetectorDiagnostics::startAnew() {
   counters_ = FrameCounters();
   view_ = FrameView();
@@ -74,13 +90,16 @@ void DetectorDiagnostics::startAnew() {
 bool DetectorDiagnostics::silent() const { return subscribed_ && secondsSince(last_frame_) > kSilenceSeconds; }
 
 void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
-  if (!subscribed_ && last_error_.empty()) {
+  if (!subscribed_) {
     status.summary(DiagnosticStatus::OK, "idle: nobody subscribes to an output");
   } else if (silent()) {
     const std::string before = last_error_.empty() ? "" : "; the last one was refused: " + last_error_;
     status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s%s", secondsSince(last_frame_), before.c_str());
   } else if (!last_error_.empty()) {
     status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
+  } else if (goesBackOften()) {
+    status.summary(DiagnosticStatus::WARN,
+                   "stamps go back again and again, and tracks begin anew each time: do two sources publish here?");
   } else if (view_.seen_from_origin == false) {
     status.summary(DiagnosticStatus::WARN,
                    "clouds are not seen from the origin of their frame: set sensor_frame, or is it the right one?");
@@ -94,6 +113,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     }
   }
   status.add("frames in", counters_.frames_in);
+  status.add("times that stamps went back", times_back_);
   for (std::size_t i = 0; i < FrameCounters::kStatusCount; ++i) {
     const std::string name = statusName(static_cast<Status>(i));
     status.add(i == 0 ? "processed" : "rejected: " + name, counters_.by_status[i]);
@@ -147,6 +167,10 @@ void DetectorDiagnostics::fillLatency(DiagnosticStatusWrapper& status) const {
   status.add("frames over max_latency", governor_->missed());
   if (governor_->hopeless()) {
     status.summary(DiagnosticStatus::WARN, "even with the fewest samples frames take longer than max_latency");
+  } else if (governor_->missesBound()) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(governor_->missedLately()) + " of the last " +
+                                               std::to_string(governor_->framesLately()) +
+                                               " frames took longer than max_latency");
   }
 }
 

@@ -57,7 +57,8 @@ class DetectorDiagnostics {
   /// Publishes now; for a wall timer, as the updater's own clock stalls when time jumps back.
   /// governor: null if max_latency is off.
   void publish(bool subscribed, const StageTimes& times, const LatencyGovernor* governor);
-  void startAnew();
+  /// A stamp is earlier than the one before: counts from here on. True: it does so again and again.
+  bool timeWentBack();
 
   /// No cloud for longer than this (s), while subscribed, is silence.
   static constexpr double kSilenceSeconds = 5.0;
@@ -68,6 +69,8 @@ class DetectorDiagnostics {
   bool anyFrame() const { return counters_.frames_in > 0; }
 
  private:
+  void startAnew();
+  bool goesBackOften() const;
   void fillInput(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillDetection(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillTiming(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -76,6 +79,8 @@ class DetectorDiagnostics {
   FrameCounters counters_;
   std::string last_error_;
   FrameView view_;
+  std::uint64_t times_back_ = 0;                           ///< that time went back, since the start
+  std::array<SteadyClock::time_point, 3> last_back_ = {};  ///< the latest first
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs

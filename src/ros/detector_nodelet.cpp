@@ -6,6 +6,7 @@
 #include <ros/master.h>
 
 #include <iomanip>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "messages.h"
@@ -171,12 +172,16 @@ void DetectorNodelet::warnIfHopeless() {
 
 namespace {
 
-/// Of what is published there, as the master knows it; empty when nothing is.
-std::string typeOf(const std::string& topic) {
-  ros::master::V_TopicInfo topics;
-  ros::master::getTopics(topics);
-  for (const ros::master::TopicInfo& info : topics) {
-    if (info.name == topic) return info.datatype;
+/// Of what is published there, as the master knows it; empty when nothing is. Nothing where there is no master:
+/// ros::master::getTopics() would wait until there is one.
+std::optional<std::string> typeOf(const std::string& topic) {
+  constexpr bool kWait = false;
+  XmlRpc::XmlRpcValue arguments, response, topics;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = "";
+  if (!ros::master::execute("getPublishedTopics", arguments, response, topics, kWait)) return std::nullopt;
+  for (int k = 0; k < topics.size(); ++k) {
+    if (std::string(topics[k][0]) == topic) return std::string(topics[k][1]);
   }
   return "";
 }
@@ -187,7 +192,9 @@ std::string whySilent(const std::string& topic, std::uint32_t publishers, bool c
     return "of its " + std::to_string(publishers) + (publishers == 1 ? " publisher" : " publishers") +
            " none sent any; one that makes it of a depth image needs camera_info, too";
   }
-  const std::string type = typeOf(topic), wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
+  const std::optional<std::string> known = typeOf(topic);
+  if (!known) return "and the ROS master does not answer";
+  const std::string &type = *known, wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
   if (type.empty() || type == wanted)
     return "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)";
   const bool image = type == "sensor_msgs/Image";
@@ -219,9 +226,16 @@ void DetectorNodelet::publish(const PrimitiveArray& message) {
 void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
   const std::optional<double> backwards = sequence_->begin(stamp);
   if (!backwards) return;
-  NODELET_INFO_STREAM(getName() << ": time went back by " << *backwards << " s, starting anew");
   marker_writer_.startAnew();
-  diagnostics_->startAnew();
+  constexpr double kPeriod = 10.0;  // s, of a warning
+  if (!diagnostics_->timeWentBack()) {
+    NODELET_INFO_STREAM(getName() << ": time went back by " << *backwards << " s, starting anew");
+  } else if (secondsSince(told_back_) > kPeriod) {
+    told_back_ = SteadyClock::now();
+    NODELET_WARN_STREAM(getName() << ": stamps on " << input_.getTopic() << " go back again and again (now by "
+                                  << *backwards
+                                  << " s), and tracks begin anew each time: do two sources publish there?");
+  }
 }
 
 void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level) {

@@ -63,6 +63,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   MarkerWriter marker_writer_;
   bool with_labels_ = false;  ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
+  SteadyClock::time_point told_back_ = {};  ///< the last warning that stamps go back again and again
   bool told_not_from_origin_ = false;
   bool told_found_camera_ = false;
   bool told_silent_ = false;

@@ -291,7 +291,35 @@ TEST(LatencyGovernor, SaysWhenEvenTheLeastShareMissesTheBound) {
   Machine fast;
   fast.load = 0.1;
   run(governor, fast, 2, random);
+  EXPECT_TRUE(governor.hopeless());  // two frames do not tell
+  run(governor, fast, 40, random);
   EXPECT_FALSE(governor.hopeless());
+}
+
+TEST(LatencyGovernor, TellsHowManyOfTheLastFramesMissedTheBound) {
+  LatencyGovernor governor(0.2, kLeastShare);
+  const auto frames = [&governor](int count, double seconds) {
+    for (int k = 0; k < count; ++k) {
+      governor.beginFrame();
+      governor.endFrame(seconds);
+    }
+  };
+  frames(60, 0.1);
+  EXPECT_EQ(governor.framesLately(), 60u);
+  frames(3, 0.3);
+  EXPECT_EQ(governor.missedLately(), 3u);
+  EXPECT_FALSE(governor.missesBound());  // of 63
+  frames(1, 0.3);
+  EXPECT_TRUE(governor.missesBound());
+  frames(36, 0.1);
+  EXPECT_EQ(governor.framesLately(), 100u);
+  EXPECT_FALSE(governor.missesBound());  // 4 of 100
+  frames(2, 0.3);
+  EXPECT_EQ(governor.missedLately(), 6u);
+  EXPECT_TRUE(governor.missesBound());
+  frames(98, 0.1);
+  EXPECT_EQ(governor.missedLately(), 2u);
+  EXPECT_EQ(governor.missed(), 6u);
 }
 
 TEST(LatencyGovernor, GivesTheSameSharesForTheSameTimes) {
