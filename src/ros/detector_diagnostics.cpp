@@ -50,6 +50,7 @@ void DetectorDiagnostics::frameDone(const PrimitiveArray& message, const Refusal
   counters_.count(message, refusals);
   view_ = view;
   last_error_ = error;
+  last_frame_ = SteadyClock::now();  // a frame that took long is no silence
 }
 
 void DetectorDiagnostics::frameFailed(const std::string& error) {

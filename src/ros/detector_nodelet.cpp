@@ -227,11 +227,9 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
   const std::optional<double> backwards = sequence_->begin(stamp);
   if (!backwards) return;
   marker_writer_.startAnew();
-  constexpr double kPeriod = 10.0;  // s, of a warning
   if (!diagnostics_->timeWentBack()) {
     NODELET_INFO_STREAM(getName() << ": time went back by " << *backwards << " s, starting anew");
-  } else if (secondsSince(told_back_) > kPeriod) {
-    told_back_ = SteadyClock::now();
+  } else if (jump_warning_.ready()) {
     NODELET_WARN_STREAM(getName() << ": stamps on " << input_.getTopic() << " go back again and again (now by "
                                   << *backwards
                                   << " s), and tracks begin anew each time: do two sources publish there?");

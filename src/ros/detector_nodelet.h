@@ -63,11 +63,10 @@ class DetectorNodelet : public nodelet::Nodelet {
   MarkerWriter marker_writer_;
   bool with_labels_ = false;  ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
-  SteadyClock::time_point told_back_ = {};  ///< the last warning that stamps go back again and again
   bool told_not_from_origin_ = false;
   bool told_found_camera_ = false;
   bool told_silent_ = false;
-  Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0};
+  Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0}, jump_warning_{10.0};
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
