@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Which tests run with sanitizers, and how: with PRIMITECT_TESTS_FROM most are those of that build, run with the sanitized
-# libraries of this one. Their own code goes unchecked, what they hand to the libraries does not.
+# libraries of this one. Their own code goes unchecked, with what the compiler takes from headers into it, and where
+# libraries reach beyond their local and static objects; what lies on the heap does not.
 
 # Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
 # parts have tests of their own, and detect_program starts the program, too.
@@ -20,6 +21,9 @@ if(PRIMITECT_TESTS_FROM)
     list(APPEND runtimes ${runtime})
   endforeach()
   list(JOIN runtimes ":" runtimes)
+  if(NOT PRIMITECT_SANITIZE OR PRIMITECT_ROS OR NOT IS_DIRECTORY "${PRIMITECT_TESTS_FROM}")
+    message(FATAL_ERROR "PRIMITECT_TESTS_FROM, ${PRIMITECT_TESTS_FROM}, must be the folder of another build; it needs PRIMITECT_SANITIZE, without PRIMITECT_ROS")
+  endif()
   set(sanitized_libraries "LD_PRELOAD=${runtimes};LD_LIBRARY_PATH=${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 endif()
 

@@ -24,7 +24,7 @@ target_compile_options(primitect_test_support PRIVATE -fPIE)
 # Tests are compiled more often than they run; what they test keeps its optimization.
 target_compile_options(primitect_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
 if(PRIMITECT_SANITIZE)
-  # Address errors of the tests themselves are still found, undefined behaviour in the code under test only.
+  # Of tests that are compiled here address errors are still found, undefined behaviour in the code under test only.
   target_compile_options(primitect_test_support PUBLIC -fno-sanitize=undefined)
 endif()
 

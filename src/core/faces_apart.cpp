@@ -216,8 +216,8 @@ FacesApart::Cells FacesApart::cellsInside(const List<Vec2>& outline) const {
 }
 
 /// As far from the box around a piece as that is long, and as a piece grows: two that are farther from each other than
-/// both are long, as two lids with a crate before all that is between them, do not tell of a face that leads from one
-/// to the other.
+/// both together are long, as two lids with a crate before all that is between them, do not tell of a face that leads
+/// from one to the other.
 FacesApart::Cells FacesApart::cellsInReach() const {
   Cells reached(points_.size(), 0);
   for (const CellBox& box : boxesOfPieces()) {

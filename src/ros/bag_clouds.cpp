@@ -46,36 +46,36 @@ bool isImage(const std::string& type) {
   return type == typeName<sensor_msgs::Image>() || type == typeName<sensor_msgs::CompressedImage>();
 }
 
-/// Of compressed images those whose name says that they are depths; of raw ones any: colour images have the same type.
-bool mayBeDepth(const std::string& topic, const std::string& type) {
+/// Of "/camera/depth/image_raw/compressedDepth" what is before the last part; else the topic itself.
+std::string rawImageOf(const std::string& topic) {
   constexpr std::string_view kEnd = "/compressedDepth";
-  if (type == typeName<sensor_msgs::Image>()) return true;
-  return type == typeName<sensor_msgs::CompressedImage>() && topic.size() > kEnd.size() &&
-         topic.compare(topic.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+  const bool packed = topic.size() >= kEnd.size() && topic.compare(topic.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+  return packed ? topic.substr(0, topic.size() - kEnd.size()) : topic;
 }
 
-Types cloudTopics(const Types& types) {
-  Types clouds;
+/// Of compressed images those whose name says that they are depths, where the raw one was not recorded, too; of raw
+/// ones any: colour images have the same type.
+bool mayBeDepth(const Types& types, const std::string& topic) {
+  const std::string raw = rawImageOf(topic), image = typeName<sensor_msgs::Image>();
+  if (types.at(topic) == image) return true;
+  const bool recorded_raw = types.count(raw) > 0 && types.at(raw) == image;
+  return types.at(topic) == typeName<sensor_msgs::CompressedImage>() && raw != topic && !recorded_raw;
+}
+
+template <class Wanted>
+Types those(const Types& types, const Wanted& wanted) {
+  Types found;
   for (const auto& [topic, type] : types) {
-    if (type == typeName<sensor_msgs::PointCloud2>()) clouds[topic] = type;
+    if (wanted(topic)) found[topic] = type;
   }
-  return clouds;
+  return found;
 }
 
-Types depthTopics(const Types& types) {
-  Types images;
-  for (const auto& [topic, type] : types) {
-    if (mayBeDepth(topic, type)) images[topic] = type;
-  }
-  return images;
-}
-
-/// "/camera/depth/image_raw" -> "/camera/depth/camera_info", as image_transport has it; that of a compressed image,
-/// "/camera/depth/image_raw/compressedDepth", is the raw one's.
-std::string cameraInfoBeside(const std::string& image, const std::string& type) {
-  const bool raw = type == typeName<sensor_msgs::Image>();
-  const std::string raw_image = raw ? image : image.substr(0, image.rfind('/'));
-  return raw_image.substr(0, raw_image.rfind('/') + 1) + "camera_info";
+/// "/camera/depth/image_raw" -> "/camera/depth/camera_info", as image_transport has it; that of a compressed image is
+/// the raw one's.
+std::string cameraInfoBeside(const std::string& image) {
+  const std::string raw = rawImageOf(image);
+  return (raw.empty() ? "/" : raw.substr(0, raw.rfind('/') + 1)) + "camera_info";
 }
 
 /// Throws std::runtime_error where its fields are others than those of this version.
@@ -121,12 +121,13 @@ void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::C
   const std::string cloud = typeName<sensor_msgs::PointCloud2>(), image = typeName<sensor_msgs::Image>();
   topic_ = job.topic;
   if (topic_.empty()) {
-    Types topics = cloudTopics(types);
-    const Types images = depthTopics(types);
+    Types topics = those(types, [&](const std::string& topic) { return types[topic] == cloud; });
+    const Types images = those(types, [&](const std::string& topic) { return mayBeDepth(types, topic); });
     if (topics.empty()) topics = images;
     if (topics.size() != 1) {
       topics.insert(images.begin(), images.end());
-      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " + listText(topics));
+      throw std::runtime_error("which topic? --topic takes a cloud or depth image; there is: " +
+                               listText(topics.empty() ? types : topics));
     }
     topic_ = topics.begin()->first;
   }
@@ -137,8 +138,11 @@ void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::C
     throw std::runtime_error("--camera-info is of depth images, and " + topic_ + " is a " + type);
   }
   if (type == cloud) return;
-  if (!isImage(type)) throw std::runtime_error(topic_ + " is a " + type + ", expected is a " + cloud + " or " + image);
-  camera_info_ = job.camera_info.empty() ? cameraInfoBeside(topic_, type) : job.camera_info;
+  if (!isImage(type)) {
+    throw std::runtime_error(topic_ + " is a " + type + ", expected is a " + cloud + ", " + image + " or " +
+                             typeName<sensor_msgs::CompressedImage>());
+  }
+  camera_info_ = job.camera_info.empty() ? cameraInfoBeside(topic_) : job.camera_info;
   if (types.count(camera_info_) > 0 && types[camera_info_] == typeName<sensor_msgs::CameraInfo>()) return;
   throw std::runtime_error("the depth image " + topic_ + " needs a camera_info, and " + camera_info_ +
                            " is none; there is: " + listText(types));

@@ -6,6 +6,7 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -20,7 +21,7 @@ namespace encodings = sensor_msgs::image_encodings;
 
 /// What stands before the PNG. Of metres v are stored as a / v + b, in whole numbers.
 struct Parameters {
-  std::int32_t kind;
+  std::int32_t kind;  ///< unused
   float a, b;
 };
 static_assert(sizeof(Parameters) == 12);
@@ -33,7 +34,7 @@ std::string encodingOf(const std::string& format) {
     throw std::runtime_error("the image's format is '" + format +
                              "', expected is '16UC1; compressedDepth png' or '32FC1; compressedDepth png'");
   }
-  if (format.find("rvl") != std::string::npos) {
+  if (format.find("rvl") != std::string::npos || format.find("RVL") != std::string::npos) {
     throw std::runtime_error("the image's format is '" + format + "': of compressed depths only PNG is read, not RVL");
   }
   return encoding;
@@ -82,6 +83,9 @@ sensor_msgs::ImagePtr unpackedDepth(const sensor_msgs::CompressedImage& packed) 
   image->width = static_cast<std::uint32_t>(stored.cols);
   image->height = static_cast<std::uint32_t>(stored.rows);
   const bool metres = encoding == encodings::TYPE_32FC1;
+  if (metres && !(std::isfinite(parameters.a) && parameters.a > 0.0f && std::isfinite(parameters.b))) {
+    throw std::runtime_error("the compressed image tells no parameters of its depths");
+  }
   image->step = image->width * static_cast<std::uint32_t>(metres ? sizeof(float) : sizeof(std::uint16_t));
   image->data.resize(std::size_t{image->step} * image->height);
   for (int row = 0; row < stored.rows; ++row) {
@@ -92,8 +96,9 @@ sensor_msgs::ImagePtr unpackedDepth(const sensor_msgs::CompressedImage& packed) 
       continue;
     }
     for (int column = 0; column < stored.cols; ++column) {
-      const float depth = from[column] == 0 ? std::numeric_limits<float>::quiet_NaN()
-                                            : parameters.a / (static_cast<float>(from[column]) - parameters.b);
+      const float inverse = static_cast<float>(from[column]) - parameters.b;
+      const bool measured = from[column] != 0 && inverse > 0.0f;
+      const float depth = measured ? parameters.a / inverse : std::numeric_limits<float>::quiet_NaN();
       std::memcpy(to + sizeof(float) * static_cast<std::size_t>(column), &depth, sizeof(float));
     }
   }

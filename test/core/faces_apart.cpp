@@ -151,6 +151,33 @@ TEST(FacesApart, AreOneWhereTheyMayGoOnBehindWhatHidesThem) {
             Counts());
 }
 
+/// Three rows of a face, something nearer, and another face.
+std::vector<std::string> hiddenBetween(std::size_t one, std::size_t gap, std::size_t other) {
+  return std::vector<std::string>(3, std::string(one, '#') + std::string(gap, '+') + std::string(other, '#'));
+}
+
+std::vector<std::string> turned(const std::vector<std::string>& drawing) {
+  std::vector<std::string> columns(drawing.front().size());
+  for (const std::string& row : drawing) {
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k] += row[k];
+  }
+  return columns;
+}
+
+TEST(FacesApart, AreOneBehindWhatIsNoWiderThanBothTogetherAreLong) {
+  struct Case {
+    std::size_t one, other, narrow, wide;
+  };
+  for (const Case& lengths : {Case{3, 3, 5, 7}, Case{5, 5, 9, 11}, Case{12, 3, 14, 16}}) {
+    const auto [one, other, narrow, wide] = lengths;
+    EXPECT_EQ(Image(hiddenBetween(one, narrow, other)).counts(), Counts()) << one;
+    EXPECT_EQ(Image(turned(hiddenBetween(one, narrow, other))).counts(), Counts()) << one;
+    const Counts apart = {one * 3 * 64, other * 3 * 64};
+    EXPECT_EQ(Image(hiddenBetween(one, wide, other)).counts(), apart) << one;
+    EXPECT_EQ(Image(turned(hiddenBetween(one, wide, other))).counts(), apart) << one;
+  }
+}
+
 TEST(FacesApart, AreOneWhereNothingWasMeasuredBetweenThem) {
   EXPECT_EQ(Image({"###...###",  //
                    "###   ###",  //

@@ -181,6 +181,15 @@ TEST_F(BagJobs, SearchCompressedDepthImagesAsRawOnes) {
   }
   BagJob job = jobOf({path("packed.bag")});
   expectSame(foundIn(job).at(0), raw);
+  {
+    rosbag::Bag bag(path("packed.bag"), rosbag::bagmode::Append);
+    bag.write("/camera/depth/image_raw", headerAt(1).stamp, depthImage(headerAt(1), depthAt(1), kCamera, "16UC1"));
+  }
+  std::vector<std::uint32_t> stamps;
+  const BagOutcome outcome =
+      detectInBags(job, [&stamps](const io::FrameReport& frame) { stamps.push_back(frame.nsecs); });
+  EXPECT_EQ(outcome.topic, "/camera/depth/image_raw");  // recorded both ways: one image
+  EXPECT_EQ(stamps, std::vector<std::uint32_t>{100000000u});
   job.topic = "/camera/rgb/image_raw/compressed";
   job.camera_info = "/camera/depth/camera_info";
   EXPECT_NE(problemsOf(job).at(0).find("'rgb8; jpeg compressed bgr8', expected is"), std::string::npos);
@@ -444,6 +453,12 @@ TEST_F(BagJobs, AskForTheCameraOfADepthImage) {
   EXPECT_NE(refusal.find("/camera/depth/camera_info is none"), std::string::npos) << refusal;
   job.camera_info = "/elsewhere/camera_info";
   EXPECT_GT(foundIn(job).at(0).items.size(), 3u);
+  {
+    rosbag::Bag bag(path("root.bag"), rosbag::bagmode::Write);
+    bag.write("/camera_info", headerAt(0).stamp, cameraInfo(headerAt(0), kCamera));
+    bag.write("/compressedDepth", headerAt(0).stamp, packed(*depthImage(headerAt(0), depthAt(0), kCamera, "16UC1")));
+  }
+  EXPECT_GT(foundIn(jobOf({path("root.bag")})).at(0).items.size(), 3u);
 }
 
 TEST_F(BagJobs, GoOnAfterAnImageThatIsNoneOfDepths) {

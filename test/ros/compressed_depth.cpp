@@ -88,7 +88,20 @@ TEST(CompressedDepth, IsNoColourImageNorRvl) {
             std::string::npos);
   EXPECT_NE(refusalOf(packed(kStored, "8UC1; compressedDepth png")).find("expected is '16UC1;"), std::string::npos);
   EXPECT_NE(refusalOf(packed(kStored, "16UC1; compressedDepth rvl")).find("not RVL"), std::string::npos);
+  EXPECT_NE(refusalOf(packed(kStored, "16UC1; png compressed ")).find("expected is '16UC1;"), std::string::npos);
   EXPECT_NE(refusalOf(packed(kStored, "")).find("format is ''"), std::string::npos);
+}
+
+TEST(CompressedDepth, OfMetresNeedsParameters) {
+  const std::string format = "32FC1; compressedDepth png";
+  for (const float a : {0.0f, -1.0f, std::nanf(""), INFINITY}) {
+    EXPECT_NE(refusalOf(packed(kStored, format, a, -10.0f)).find("no parameters"), std::string::npos) << a;
+  }
+  EXPECT_NE(refusalOf(packed(kStored, format, 1.0f, std::nanf(""))).find("no parameters"), std::string::npos);
+  const std::vector<float> values = valuesOf<float>(*unpackedDepth(packed(kStored, format, 100.0f, 7.0f)));
+  ASSERT_EQ(values.size(), 6u);
+  EXPECT_TRUE(std::isnan(values[1]) && std::isnan(values[4]));  // of 1 and 7
+  EXPECT_FLOAT_EQ(values[5], 100.0f / 293.0f);
 }
 
 TEST(CompressedDepth, ThatIsBrokenIsTold) {
@@ -105,7 +118,10 @@ TEST(CompressedDepth, ThatIsBrokenIsTold) {
   broken.data.resize(whole.data.size() - 20);
   EXPECT_NE(refusalOf(broken).find("PNG is broken"), std::string::npos);
   broken = whole;
-  broken.data[12 + 18] = 0xff;  // 65280 columns and more, 65280 x 256 rows
+  broken.data[12] = 0;
+  EXPECT_NE(refusalOf(broken).find("no PNG"), std::string::npos);
+  broken = whole;
+  broken.data[12 + 18] = 0xff;  // 65283 columns, 16711682 rows
   broken.data[12 + 21] = 0xff;
   EXPECT_NE(refusalOf(broken).find("at most 16777216"), std::string::npos) << refusalOf(broken);
   EXPECT_NE(refusalOf(packed(cv::Mat(2, 3, CV_8UC1, cv::Scalar(1)), format)).find("not one of 16 bit"),
