@@ -27,11 +27,10 @@ std::string typeName() {
 }
 
 std::unique_ptr<rosbag::Bag> opened(const std::string& path) try {
-  if (!std::filesystem::exists(path)) throw std::runtime_error(path + ": no such file");
   return std::make_unique<rosbag::Bag>(path, rosbag::bagmode::Read);
 } catch (const rosbag::BagUnindexedException&) {
   throw std::runtime_error(path + ": it has no index, as it was not closed: rosbag reindex makes one");
-} catch (const rosbag::BagException& error) {
+} catch (const std::exception& error) {
   throw std::runtime_error(path + ": cannot be read as a bag: " + error.what() +
                            " (of one that is cut off rosbag reindex saves the rest)");
 }
@@ -102,7 +101,10 @@ sensor_msgs::CameraInfoConstPtr cameraOf(const rosbag::MessageInstance& recorded
 }  // namespace
 
 BagClouds::BagClouds(const BagJob& job) {
-  for (const std::string& path : job.bags) bags_.push_back(opened(path));
+  for (const std::string& path : job.bags) {
+    if (!std::filesystem::exists(path)) throw std::runtime_error(path + ": no such file");
+    bags_.push_back(opened(path));
+  }
   rosbag::View all;
   for (const auto& bag : bags_) all.addQuery(*bag);
   chooseTopic(job, all.getConnections());
