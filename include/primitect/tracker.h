@@ -3,7 +3,6 @@
 // Numbers that things keep from frame to frame.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct Sighting {
   Vec3 direction = Vec3::UnitZ();  ///< plane: normal; cylinder and cone: axis; unit
   double radius = 0.0;             ///< sphere, cylinder; cone: at the wide end of the observed part
   double reach = 0.0;              ///< half of the longest side of what was seen of a plane, cylinder or cone
-  Vec3 across = Vec3::Zero();      ///< plane: its longer side, x of the extent; unit, or zero: unknown
+  Vec3 across = Vec3::Zero();      ///< plane: x of its extent; unit, or zero: unknown
 };
 
 /// Of the detection's own frame.
@@ -29,14 +28,10 @@ Sighting sightingOf(const Detection& detection);
 struct Track {
   std::uint32_t id = 0;   ///< from 1 on, each given once
   std::uint32_t age = 0;  ///< frames since the first one with it
-  /// The axis of a cylinder, which has no sign of its own, or the longer side of a plane points the other way than it
-  /// did before in this track; halfTurn() lets it go on.
-  bool reversed = false;
+  /// Of a cylinder or a plane that was in a frame before: where its axis or its x pointed then, for turnAsBefore()
+  /// (steady_pose.h); unit. Else zero.
+  Vec3 before = Vec3::Zero();
 };
-
-/// Of a pose about an axis of its own, from which the thing looks the same: about x of a cylinder, z of a plane; of
-/// other kinds none.
-Eigen::Quaterniond halfTurn(Kind kind);
 
 /// Finds the things of the last frames again: the nearest ones of the same kind, position, direction and size, each at
 /// most once. Cylinders and cones, which noise may exchange, continue each other. The last two sightings of a thing
@@ -51,6 +46,13 @@ class Tracker {
   /// The track of each sighting of the next frame, which was taken at this time (s). Valid until the next call.
   const std::vector<Track>& update(const std::vector<Sighting>& sightings, double seconds);
 
+  /// Where the axis of a cylinder or x of a plane of the last frame points, when it was turned as before; without this
+  /// as it was seen, or round.
+  void turned(std::size_t sighting, const Vec3& direction);
+
+  /// Forgets all things; numbers go on.
+  void forget() { things_.clear(); }
+
   /// Forgets all things; numbers begin with 1 again.
   void startAnew();
 
@@ -58,7 +60,7 @@ class Tracker {
   struct Thing {
     Track track;
     Sighting last, before;  ///< the last two
-    Vec3 way;               ///< that its axis as a cylinder, or its longer side, points to; a cone in between may not
+    Vec3 way;               ///< that its axis as a cylinder, or its x, points to; a cone in between may not
     double seen = 0.0;      ///< s, the last one
   };
   /// A thing of before that may be a sighting.

@@ -75,18 +75,10 @@ std::optional<double> costOf(const Sighting& before, const Sighting& now, double
   return cost.sum();
 }
 
-/// What may turn round without another look: the axis of a cylinder, the longer side of a plane.
-bool mayTurnRound(Kind kind) { return kind == Kind::cylinder || kind == Kind::plane; }
-
-/// The direction that may, or that of the axis of a cone.
+/// The direction that may turn while the thing rests, or that of the axis of a cone.
 Vec3 wayOf(const Sighting& sighting) { return sighting.kind == Kind::plane ? sighting.across : sighting.direction; }
 
 }  // namespace
-
-Eigen::Quaterniond halfTurn(Kind kind) {
-  if (kind == Kind::cylinder) return {0.0, 1.0, 0.0, 0.0};
-  return kind == Kind::plane ? Eigen::Quaterniond(0.0, 0.0, 0.0, 1.0) : Eigen::Quaterniond::Identity();
-}
 
 Sighting sightingOf(const Detection& detection) {
   Sighting sighting;
@@ -158,6 +150,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     Track& track = tracks_[s];
     if (thing_of_[s] == kNone) {
       track.id = next_id_++;
+      thing_of_[s] = things_.size();
       things_.push_back({track, sightings[s], sightings[s], wayOf(sightings[s]), seconds});
       continue;
     }
@@ -166,13 +159,15 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     thing.last = sightings[s];
     thing.seen = seconds;
     track = thing.track;
+    const Kind kind = thing.last.kind;
+    if (kind == Kind::cylinder || kind == Kind::plane) track.before = thing.way;
     const Vec3 way = wayOf(thing.last);
-    const bool opposite = way.dot(thing.way) < 0.0;
-    track.reversed = opposite && mayTurnRound(thing.last.kind);
-    thing.way = opposite ? Vec3(-way) : way;
+    thing.way = way.dot(thing.way) < 0.0 ? Vec3(-way) : way;
   }
   return tracks_;
 }
+
+void Tracker::turned(std::size_t sighting, const Vec3& direction) { things_[thing_of_[sighting]].way = direction; }
 
 void Tracker::startAnew() {
   things_.clear();

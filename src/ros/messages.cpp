@@ -57,24 +57,13 @@ Shape shapeOf(const Primitive& message, const Extent& extent) {
                               "; expected 0 (plane), 1 (sphere), 2 (cylinder) or 3 (cone)");
 }
 
-Extent extentOf(const Primitive& message) {
-  Extent extent;
-  extent.origin = toVec3(message.pose.pose.position);
-  extent.rotation = toRotation(message.pose.pose.orientation);
-  extent.size = Vec3(message.size[0], message.size[1], message.size[2]);
-  extent.radius = message.radius;
-  extent.radius_small = message.radius_small;
-  for (const geometry_msgs::Point32& p : message.hull) extent.hull.push_back(toVec3(p));
-  return extent;
-}
-
 std::uint8_t rivalNumber(const std::optional<Kind>& rival) {
   return rival ? static_cast<std::uint8_t>(*rival) : std::uint8_t{Primitive::NO_RIVAL};
 }
 
 Detection fromMessage(const Primitive& message) {
   Detection detection;
-  detection.extent = extentOf(message);
+  readExtent(message, detection.extent);
   detection.shape = shapeOf(message, detection.extent);
   detection.votes = message.votes;
   detection.inlier_count = message.inlier_count;
@@ -107,8 +96,7 @@ void fill(const Detection& detection, std::uint32_t id, Primitive& message) {
   message.id = id;
   message.track_id = detection.track_id;
   message.age = detection.age;
-  message.pose.pose.position = pointMessage(extent.origin);
-  message.pose.pose.orientation = quaternionMessage(extent.rotation);
+  writePose(extent, message);
   std::copy(detection.covariance.begin(), detection.covariance.end(), message.pose.covariance.begin());
   message.radius = static_cast<float>(extent.radius);
   message.radius_small = static_cast<float>(extent.radius_small);
@@ -116,7 +104,6 @@ void fill(const Detection& detection, std::uint32_t id, Primitive& message) {
     message.half_angle = static_cast<float>(cone->half_angle);
     message.apex = pointMessage(cone->apex);
   }
-  for (std::size_t i = 0; i < 3; ++i) message.size[i] = static_cast<float>(extent.size[static_cast<int>(i)]);
   if (!extent.hull.empty()) message.hull.reserve(std::max(kUsualCorners, extent.hull.size()));
   for (const Vec3& p : extent.hull) message.hull.push_back(point32Message(p));
   message.radius_stddev = detection.radius_stddev;
@@ -173,6 +160,22 @@ Detections fromMessage(const PrimitiveArray& message) {
   detections.samples = message.samples;
   detections.seen_from_origin = message.seen_from_origin;
   return detections;
+}
+
+void readExtent(const Primitive& message, Extent& extent) {
+  extent.origin = toVec3(message.pose.pose.position);
+  extent.rotation = toRotation(message.pose.pose.orientation);
+  extent.size = Vec3(message.size[0], message.size[1], message.size[2]);
+  extent.radius = message.radius;
+  extent.radius_small = message.radius_small;
+  extent.hull.clear();
+  for (const geometry_msgs::Point32& p : message.hull) extent.hull.push_back(toVec3(p));
+}
+
+void writePose(const Extent& extent, Primitive& message) {
+  message.pose.pose.position = pointMessage(extent.origin);
+  message.pose.pose.orientation = quaternionMessage(extent.rotation);
+  for (std::size_t i = 0; i < 3; ++i) message.size[i] = static_cast<float>(extent.size[static_cast<int>(i)]);
 }
 
 void transformPrimitives(const Eigen::Isometry3d& target_from_source, PrimitiveArray& message) {

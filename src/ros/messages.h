@@ -36,6 +36,12 @@ class MessageWriter {
 /// Throws std::invalid_argument naming the number of an unknown type.
 Detections fromMessage(const PrimitiveArray& message);
 
+/// Pose, sizes and outline of a primitive; keeps the memory of extent.hull.
+void readExtent(const Primitive& message, Extent& extent);
+
+/// Where the body of a primitive is and how long: pose without covariance, size.
+void writePose(const Extent& extent, Primitive& message);
+
 /// Moves poses, apexes, outlines and covariances to another frame; the header's frame_id is the caller's business.
 void transformPrimitives(const Eigen::Isometry3d& target_from_source, PrimitiveArray& message);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "geometry_messages.h"
+#include "messages.h"
+#include "primitect/steady_pose.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -22,26 +24,39 @@ Sighting sightingOf(const Primitive& primitive) {
           primitive.type == Primitive::PLANE ? Vec3(body.rotation.col(0)) : Vec3::Zero()};
 }
 
-/// What is told in the frame of the message, outline and covariance, stays as it is.
-void turnRound(Primitive& primitive) {
-  const Body body(primitive);
-  const Eigen::Quaterniond turn = halfTurn(static_cast<Kind>(primitive.type));
-  primitive.pose.pose.orientation = quaternionMessage(body.rotation * turn.toRotationMatrix());
-}
-
 }  // namespace
 
+/// One without any may be in the cloud's frame as the wanted one was not reached.
+void PrimitiveTracker::forgetAnotherFrame(const PrimitiveArray& message) {
+  if (message.primitives.empty() || message.header.frame_id == frame_) return;
+  frame_ = message.header.frame_id;
+  tracker_.forget();
+}
+
+/// What is told in the frame of the message, outline and covariance, stays as it is.
+void PrimitiveTracker::turn(const std::vector<Track>& tracks, PrimitiveArray& message) {
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    if (tracks[k].before.isZero()) continue;
+    Primitive& primitive = message.primitives[k];
+    const Kind kind = static_cast<Kind>(primitive.type);
+    readExtent(primitive, extent_);
+    turnAsBefore(kind, tracks[k].before, extent_);
+    writePose(extent_, primitive);
+    tracker_.turned(k, waveringDirection(kind, extent_));
+  }
+}
+
 void PrimitiveTracker::update(double patience, PrimitiveArray& message) {
+  forgetAnotherFrame(message);
   sightings_.clear();
   for (const Primitive& primitive : message.primitives) sightings_.push_back(sightingOf(primitive));
   tracker_.setPatience(patience);
   const std::vector<Track>& tracks = tracker_.update(sightings_, message.header.stamp.toSec());
   for (std::size_t k = 0; k < tracks.size(); ++k) {
-    Primitive& primitive = message.primitives[k];
-    primitive.track_id = tracks[k].id;
-    primitive.age = tracks[k].age;
-    if (tracks[k].reversed) turnRound(primitive);
+    message.primitives[k].track_id = tracks[k].id;
+    message.primitives[k].age = tracks[k].age;
   }
+  turn(tracks, message);
 }
 
 }  // namespace primitect::ros_layer

@@ -5,6 +5,7 @@
 
 #include <primitect/PrimitiveArray.h>
 
+#include <string>
 #include <vector>
 
 #include "primitect/tracker.h"
@@ -15,15 +16,20 @@ namespace primitect::ros_layer {
 class PrimitiveTracker {
  public:
   /// Fills track_id and age, by the stamp of the message and in its frame, and turns cylinders and planes as they were
-  /// before in their track. Also for empty messages: time goes on.
+  /// before in their track. Also for empty messages: time goes on. Tracks end where the frame is another one.
   /// patience (s): see Tracker.
   void update(double patience, PrimitiveArray& message);
 
   void startAnew() { tracker_.startAnew(); }
 
  private:
+  void forgetAnotherFrame(const PrimitiveArray& message);
+  void turn(const std::vector<Track>& tracks, PrimitiveArray& message);
+
   Tracker tracker_;
   std::vector<Sighting> sightings_;
+  std::string frame_;  ///< of the last message with primitives
+  Extent extent_;      ///< whose memory serves for one after the other
 };
 
 }  // namespace primitect::ros_layer

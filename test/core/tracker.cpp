@@ -128,52 +128,49 @@ TEST(Tracker, TellsThingsBySizeAndDirection) {
   EXPECT_EQ(idsOf(tracker.update({ball({0, 0, 1}, 0.08), can({1, 0, 1}, Vec3::UnitX())}, kFrame)), (Ids{3, 4}));
 }
 
-/// Whether each of these, one after the other, is told to be the other way round.
-std::vector<bool> reversedIn(const std::vector<Sighting>& sightings) {
+/// What is told of each of these, one after the other: where it pointed before.
+std::vector<Vec3> beforeIn(const std::vector<Sighting>& sightings) {
   Tracker tracker;
-  std::vector<bool> reversed;
+  std::vector<Vec3> before;
   for (std::size_t k = 0; k < sightings.size(); ++k) {
-    reversed.push_back(tracker.update({sightings[k]}, kFrame * static_cast<double>(k)).at(0).reversed);
+    before.push_back(tracker.update({sightings[k]}, kFrame * static_cast<double>(k)).at(0).before);
   }
-  return reversed;
+  return before;
 }
 
-TEST(Tracker, TellsWhereAnAxisOrALongerSidePointsTheOtherWay) {
-  const Vec3 lying(1.0, 0.02, 0.0), other_way(-1.0, 0.02, 0.0);
-  const Sighting tube = can({0, 0, 1}, lying.normalized()), turned = can({0, 0, 1}, other_way.normalized());
-  EXPECT_EQ(reversedIn({tube, tube, turned, turned, tube}), (std::vector<bool>{false, false, true, true, false}));
+TEST(Tracker, TellsWhereAnAxisOrALongerSidePointed) {
+  const Vec3 lying = Vec3(1.0, 0.02, 0.0).normalized(), other_way = Vec3(-1.0, 0.02, 0.0).normalized();
+  const Sighting tube = can({0, 0, 1}, lying), turned = can({0, 0, 1}, other_way);
+  EXPECT_EQ(beforeIn({tube, turned, turned, tube}), (std::vector<Vec3>{Vec3::Zero(), lying, -other_way, -other_way}));
   Sighting front = top({0, 0, 1}), back = front;
-  front.across = Vec3(0.0, 1.0, 0.0), back.across = Vec3(0.05, -1.0, 0.0).normalized();
-  EXPECT_EQ(reversedIn({front, back, front}), (std::vector<bool>{false, true, false}));
+  front.across = Vec3::UnitY(), back.across = Vec3(0.05, -1.0, 0.0).normalized();
+  EXPECT_EQ(beforeIn({front, back, front}), (std::vector<Vec3>{Vec3::Zero(), Vec3::UnitY(), -back.across}));
 }
 
-TEST(Tracker, GoesOnTheWayRoundThatWasTold) {
-  // By 60 deg a frame, as a sphere of noise would: each is near the one before, the last is opposite to the first.
-  std::vector<Sighting> sides(4, top({0, 0, 1}));
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const double turn = M_PI / 3.0 * static_cast<double>(k);
-    sides[k].across = Vec3(std::cos(turn), std::sin(turn), 0.0);
-  }
-  EXPECT_EQ(reversedIn(sides), (std::vector<bool>{false, false, false, false}));
+TEST(Tracker, GoesOnWithTheDirectionThatItIsTold) {
+  Tracker tracker;
+  Sighting lid = top({0, 0, 1});
+  lid.across = Vec3::UnitY();
+  tracker.update({lid, ball({1, 0, 1})}, 0.0);
+  tracker.turned(0, Vec3::UnitX());
+  lid.across = -Vec3::UnitY();
+  // In another order.
+  const std::vector<Track>& tracks = tracker.update({ball({1, 0, 1}), lid}, kFrame);
+  EXPECT_EQ(tracks[0].before, Vec3::Zero());
+  EXPECT_EQ(tracks[1].before, Vec3::UnitX());
+  tracker.turned(1, -Vec3::UnitX());
+  EXPECT_EQ(tracker.update({lid}, 2 * kFrame)[0].before, -Vec3::UnitX());
 }
 
-TEST(Tracker, LeavesConesAndBallsAsTheyAre) {
+TEST(Tracker, TellsNoneOfConesAndBallsButOfATubeThatWasACone) {
   Sighting cone = can({0, 0, 1});
   cone.kind = Kind::cone;
   const Sighting tube = can({0, 0, 1}, -Vec3::UnitZ());
+  const Vec3 none = Vec3::Zero(), up = Vec3::UnitZ();
   // The axis of a cone points away from its apex, which way ever that of the tube does that it is taken for again.
-  EXPECT_EQ(reversedIn({tube, cone, cone, tube}), (std::vector<bool>{false, false, false, false}));
-  EXPECT_EQ(reversedIn({cone, tube, cone, tube}), (std::vector<bool>{false, true, false, true}));
-  EXPECT_EQ(reversedIn({ball({0, 0, 1}), ball({0, 0, 1})}), (std::vector<bool>{false, false}));
-  EXPECT_TRUE(halfTurn(Kind::cone).isApprox(Eigen::Quaterniond::Identity()));
-  EXPECT_TRUE(halfTurn(Kind::sphere).isApprox(Eigen::Quaterniond::Identity()));
-}
-
-TEST(Tracker, TurnsByHalfATurnSoThatThingsLookTheSame) {
-  EXPECT_LT((halfTurn(Kind::cylinder) * Vec3::UnitZ() + Vec3::UnitZ()).norm(), 1e-12);
-  EXPECT_LT((halfTurn(Kind::cylinder) * Vec3::UnitX() - Vec3::UnitX()).norm(), 1e-12);  // towards the seen side
-  EXPECT_LT((halfTurn(Kind::plane) * Vec3::UnitX() + Vec3::UnitX()).norm(), 1e-12);
-  EXPECT_LT((halfTurn(Kind::plane) * Vec3::UnitZ() - Vec3::UnitZ()).norm(), 1e-12);  // the normal
+  EXPECT_EQ(beforeIn({tube, cone, cone, tube}), (std::vector<Vec3>{none, none, none, -up}));
+  EXPECT_EQ(beforeIn({cone, tube, cone, tube}), (std::vector<Vec3>{none, up, none, up}));
+  EXPECT_EQ(beforeIn({ball({0, 0, 1}), ball({0, 0, 1})}), (std::vector<Vec3>{none, none}));
 }
 
 /// A part of the floor around x (m).
@@ -206,6 +203,15 @@ TEST(Tracker, StartsAnewWithOne) {
   tracker.startAnew();
   const Track track = tracker.update({ball({1, 0, 1})}, kFrame)[0];
   EXPECT_EQ(track.id, 1u);
+  EXPECT_EQ(track.age, 0u);
+}
+
+TEST(Tracker, ForgetsThingsButNotTheirNumbers) {
+  Tracker tracker;
+  tracker.update({ball({0, 0, 1})}, 0.0);
+  tracker.forget();
+  const Track track = tracker.update({ball({0, 0, 1})}, kFrame)[0];
+  EXPECT_EQ(track.id, 2u);
   EXPECT_EQ(track.age, 0u);
 }
 

@@ -45,12 +45,21 @@ TEST(Tracks, StandInTheMessage) {
 
 Vec3 axisOf(const Primitive& primitive, int column) { return Body(primitive).rotation.col(column); }
 
+/// About the origin, in the plane of x and y.
+void addHull(const std::vector<Vec3>& corners, Primitive& plane) {
+  for (const Vec3& corner : corners) {
+    plane.hull.emplace_back();
+    plane.hull.back().x = static_cast<float>(corner.x()), plane.hull.back().y = static_cast<float>(corner.y());
+  }
+}
+
 TEST(Tracks, KeepAxesAndLongerSidesTheWayTheyWere) {
   PrimitiveTracker tracker;
   PrimitiveArray first = messageAt(5.0, {primitiveAt(Primitive::PLANE, 0.0), primitiveAt(Primitive::CYLINDER, 0.5)});
   PrimitiveArray next = messageAt(5.1, first.primitives);
-  next.primitives[0].pose.pose.orientation = quaternionMessage(halfTurn(Kind::plane).toRotationMatrix());
-  next.primitives[1].pose.pose.orientation = quaternionMessage(halfTurn(Kind::cylinder).toRotationMatrix());
+  const Eigen::AngleAxisd about_z(M_PI, Vec3::UnitZ()), about_x(M_PI, Vec3::UnitX());
+  next.primitives[0].pose.pose.orientation = quaternionMessage(about_z.toRotationMatrix());
+  next.primitives[1].pose.pose.orientation = quaternionMessage(about_x.toRotationMatrix());
   PrimitiveArray again = next;
   again.header.stamp = ros::Time(5.2);
   tracker.update(1.0, first);
@@ -61,6 +70,46 @@ TEST(Tracks, KeepAxesAndLongerSidesTheWayTheyWere) {
       EXPECT_LT((axisOf(message->primitives[1], column) - axisOf(first.primitives[1], column)).norm(), 1e-9);
     }
   }
+}
+
+TEST(Tracks, KeepTheSidesOfAPlaneThatIsAsLongAsWide) {
+  PrimitiveTracker tracker;
+  Primitive wide = primitiveAt(Primitive::PLANE, 0.0);
+  wide.size[0] = 0.21f, wide.size[1] = 0.2f;
+  // The other side is the longer one, and x along it.
+  Primitive high = wide;
+  high.pose.pose.orientation = quaternionMessage(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()).toRotationMatrix());
+  // Six corners, of which no side lies along x.
+  Primitive round = high;
+  round.pose.pose.orientation = quaternionMessage(Eigen::AngleAxisd(M_PI / 6, Vec3::UnitZ()).toRotationMatrix());
+  round.size[0] = 0.2f, round.size[1] = 0.173f;
+  addHull({{0.1, 0.01, 0}, {0.05, 0.097, 0}, {-0.05, 0.077, 0}, {-0.1, 0.01, 0}, {-0.05, -0.077, 0}, {0.05, -0.077, 0}},
+          round);
+  PrimitiveArray first = messageAt(5.0, {wide}), second = messageAt(5.1, {high}), third = messageAt(5.2, {round});
+  for (PrimitiveArray* message : {&first, &second, &third}) {
+    tracker.update(1.0, *message);
+    const Primitive& plane = message->primitives[0];
+    EXPECT_EQ(plane.track_id, 1u);
+    EXPECT_LT((axisOf(plane, 0) - Vec3::UnitX()).norm(), 1e-9);
+    EXPECT_LT((axisOf(plane, 2) - Vec3::UnitZ()).norm(), 1e-9);
+  }
+  EXPECT_FLOAT_EQ(second.primitives[0].size[0], 0.2f);
+  EXPECT_FLOAT_EQ(second.primitives[0].size[1], 0.21f);
+  EXPECT_FLOAT_EQ(third.primitives[0].size[0], 0.2f);
+  EXPECT_FLOAT_EQ(third.primitives[0].size[1], 0.174f);
+  EXPECT_NEAR(third.primitives[0].pose.pose.position.y, 0.01, 1e-6);
+}
+
+TEST(Tracks, EndWhereTheFrameIsAnotherOne) {
+  PrimitiveTracker tracker;
+  PrimitiveArray there = messageAt(5.0, {primitiveAt(Primitive::SPHERE, 0.0)});
+  there.header.frame_id = "camera";
+  PrimitiveArray lost = messageAt(5.1, {}), again = there, elsewhere = there;
+  lost.header.frame_id = "another";  // without a transform
+  elsewhere.header.frame_id = "base_link";
+  for (PrimitiveArray* message : {&there, &lost, &again, &elsewhere}) tracker.update(1.0, *message);
+  EXPECT_EQ(again.primitives[0].track_id, 1u);
+  EXPECT_EQ(elsewhere.primitives[0].track_id, 2u);
 }
 
 TEST(Tracks, EndByTheStampsAlsoOfEmptyMessages) {

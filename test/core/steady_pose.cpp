@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Poses that go on as before.
+#include "primitect/steady_pose.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/hull.h"
+#include "core/random.h"
+
+namespace primitect {
+namespace {
+
+/// Of the points of a plane, in its coordinates, as it is measured; the plane lies somewhere.
+Extent extentAround(const List<Vec2>& points) {
+  Extent extent;
+  const Eigen::Matrix3d place = Eigen::AngleAxisd(0.7, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  const List<Vec2> corners = convexHull(points, 1e-4);
+  const Rectangle sides = smallestRectangle(corners);
+  const Vec3 from(0.3, -0.2, 0.8);
+  const auto inSpace = [&](const Vec2& v) -> Vec3 { return place * Vec3(v.x(), v.y(), 0.0); };
+  extent.origin = from + inSpace(sides.middle);
+  extent.rotation << inSpace(sides.x), inSpace({-sides.x.y(), sides.x.x()}), place.col(2);
+  extent.size = Vec3(sides.size.x(), sides.size.y(), 0.0);
+  for (const Vec2& corner : corners) extent.hull.push_back(from + inSpace(corner));
+  return extent;
+}
+
+/// Points within a shape that holds so much of x^2, y^2; noise (m) at its border.
+List<Vec2> noisyBorder(double width, double height, bool round, double noise, Random& random) {
+  List<Vec2> points;
+  for (int k = 0; k < 400; ++k) {
+    const double turn = 2.0 * M_PI * k / 400.0;
+    Vec2 p(std::cos(turn), std::sin(turn));
+    if (!round) p /= p.cwiseAbs().maxCoeff();
+    points.push_back(p.cwiseProduct(Vec2(0.5 * width, 0.5 * height)) +
+                     noise * Vec2(random.gaussian(), random.gaussian()));
+  }
+  return points;
+}
+
+/// Largest turn (rad) of x from one to the next of many frames, as measured and when turned as before.
+struct Turns {
+  double measured = 0.0, steady = 0.0;
+};
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+Turns turnsOf(double width, double height, bool round) {
+  Random random(5);
+  Turns turns;
+  Vec3 measured = Vec3::Zero(), before = Vec3::Zero();
+  for (int frame = 0; frame < 50; ++frame) {
+    Extent extent = extentAround(noisyBorder(width, height, round, 0.002, random));
+    if (frame > 0) turns.measured = std::max(turns.measured, angle(measured, extent.rotation.col(0)));
+    measured = extent.rotation.col(0);
+    turnAsBefore(Kind::plane, before, extent);
+    if (frame > 0) turns.steady = std::max(turns.steady, angle(before, extent.rotation.col(0)));
+    before = waveringDirection(Kind::plane, extent);
+  }
+  return turns;
+}
+
+TEST(SteadyPose, KeepsXOfWhatIsAsLongAsWideOrRound) {
+  constexpr double kSmall = 0.15;  // rad
+  for (const bool round : {false, true}) {
+    const Turns turns = turnsOf(0.1, 0.1, round);
+    EXPECT_GT(turns.measured, 0.7) << round << ": nothing to keep";
+    EXPECT_LT(turns.steady, round ? 1e-6 : kSmall) << round;
+  }
+  EXPECT_LT(turnsOf(0.2, 0.1, false).steady, kSmall);
+}
+
+TEST(SteadyPose, TellsTheRectangleAlongX) {
+  Random random(6);
+  for (const bool round : {false, true}) {
+    Extent extent = extentAround(noisyBorder(0.1, 0.09, round, 0.001, random));
+    const Extent measured = extent;
+    const Vec3 x = (measured.rotation.col(1) + 0.3 * measured.rotation.col(0)).normalized();
+    turnAsBefore(Kind::plane, x, extent);
+    EXPECT_GT(angle(extent.rotation.col(0), measured.rotation.col(0)), 0.7);
+    EXPECT_NEAR((extent.rotation.transpose() * extent.rotation - Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(extent.rotation.determinant(), 1.0, 1e-9);
+    EXPECT_LT(angle(extent.rotation.col(2), measured.rotation.col(2)), 1e-6);
+    Vec3 low = Vec3::Constant(1.0), high = -low;
+    for (const Vec3& corner : extent.hull) {
+      const Vec3 there = extent.rotation.transpose() * (corner - extent.origin);
+      low = low.cwiseMin(there), high = high.cwiseMax(there);
+    }
+    EXPECT_LT((high - 0.5 * extent.size).norm(), 1e-9) << round;
+    EXPECT_LT((low + 0.5 * extent.size).norm(), 1e-9) << round;
+  }
+}
+
+TEST(SteadyPose, FollowsAPlaneThatTurns) {
+  for (const double degrees : {1.0, 5.0, 9.0}) {
+    for (const double height : {0.1, 0.05}) {
+      Extent first = extentAround({{0, 0}, {0.1, 0}, {0.1, height}, {0, height}});
+      const double turn = degrees * M_PI / 180.0;
+      const Vec3 before = Eigen::AngleAxisd(turn, first.rotation.col(2)) * first.rotation.col(0);
+      const Extent own = first;
+      turnAsBefore(Kind::plane, before, first);
+      EXPECT_LT(angle(first.rotation.col(0), own.rotation.col(0)), 1e-6) << degrees << " " << height;
+    }
+  }
+  // At once: the nearest side goes on.
+  for (const double degrees : {20.0, 40.0, 140.0, 200.0}) {
+    Extent extent = extentAround({{0, 0}, {0.1, 0}, {0.1, 0.05}, {0, 0.05}});
+    const double turn = degrees * M_PI / 180.0;
+    const Vec3 longer = extent.rotation.col(0), before = Eigen::AngleAxisd(turn, extent.rotation.col(2)) * longer;
+    turnAsBefore(Kind::plane, before, extent);
+    EXPECT_LT(angle(extent.rotation.col(0), std::cos(turn) > 0.0 ? longer : Vec3(-longer)), 1e-6) << degrees;
+    EXPECT_NEAR(extent.size.x(), 0.1, 1e-9) << degrees;
+  }
+}
+
+TEST(SteadyPose, TurnsACylinderRoundAboutItsSeenSide) {
+  Extent extent;
+  turnAsBefore(Kind::cylinder, {0.1, 0.0, -1.0}, extent);
+  EXPECT_EQ(extent.rotation, Eigen::Matrix3d(Vec3(1.0, -1.0, -1.0).asDiagonal()));
+  const Extent turned = extent;
+  turnAsBefore(Kind::cylinder, {0.1, 0.0, -1.0}, extent);
+  EXPECT_EQ(extent.rotation, turned.rotation);
+}
+
+TEST(SteadyPose, LeavesAsTheyAreConesBallsAndWhatHasNoBefore) {
+  const Extent plane = extentAround({{0, 0}, {0.1, 0}, {0.1, 0.05}, {0, 0.05}});
+  for (const Kind kind : {Kind::sphere, Kind::cone}) {
+    Extent extent = plane;
+    turnAsBefore(kind, -plane.rotation.col(2), extent);
+    EXPECT_EQ(extent.rotation, plane.rotation);
+    EXPECT_TRUE(waveringDirection(kind, extent).isZero());
+  }
+  for (const Vec3& before : {Vec3(Vec3::Zero()), Vec3(plane.rotation.col(2)), Vec3(Vec3::Constant(NAN))}) {
+    Extent extent = plane;
+    turnAsBefore(Kind::plane, before, extent);
+    EXPECT_EQ(extent.rotation, plane.rotation) << before.transpose();
+    EXPECT_EQ(extent.size, plane.size);
+  }
+  EXPECT_EQ(waveringDirection(Kind::plane, plane), Vec3(plane.rotation.col(0)));
+  EXPECT_EQ(waveringDirection(Kind::cylinder, plane), Vec3(plane.rotation.col(2)));
+}
+
+}  // namespace
+}  // namespace primitect
