@@ -13,11 +13,12 @@ namespace primitect {
 
 class NeighborSearch {
  public:
-  /// Builds a tree of the valid points.
+  /// Builds a tree of the valid points. Of those that lie exactly in one place, as many do where coordinates are rounded
+  /// or an image was enlarged, the first one: they tell no direction, and a tree cannot part them.
   explicit NeighborSearch(const Cloud& cloud);
   ~NeighborSearch();
 
-  /// Cloud indices of the `count` valid points nearest to a valid point, that point itself among them.
+  /// Cloud indices of valid points in the `count` places nearest to a valid point, its own among them.
   void nearest(const Cloud& cloud, std::uint32_t point, int count, List<std::uint32_t>& neighbors);
 
  private:

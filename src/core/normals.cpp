@@ -209,7 +209,7 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;
-  fitNeighborhoods(cloud, count, !(takes_own && params.orient_normals), source, samples);
+  fitNeighborhoods(cloud, count, takes_own && !params.orient_normals, source, samples);
 }
 
 bool mostFaceAway(const Samples& samples) {

@@ -148,6 +148,27 @@ TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
   EXPECT_LT(errors[100], 2.0 * kDegree);
 }
 
+TEST(NeighborNormals, ThatAreMeasuredAnewPointTowardsTheSensorAgain) {
+  // So thick that six neighbours tell nothing of its direction, and all sides are the wrong one half of the time.
+  Random random(33);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 20000; ++i) {
+    points.emplace_back(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1.0 + 0.01 * random.gaussian());
+  }
+  const Cloud cloud = test::listOf(points);
+  Samples samples;
+  drawSamples(cloud, 200, 1, samples);
+  NormalSource source;
+  for (const int neighbors : {6, 300}) {
+    source.neighbor_count = neighbors;
+    estimateNormals(cloud, Params(), source, samples);
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ASSERT_TRUE(samples.hasNormal(i));
+    EXPECT_LT(samples.normal(i).dot(samples.point(i)), 0.0);
+  }
+}
+
 TEST(WindowNormals, AreFoundInAnImageThatLostItsOrder) {
   const Vec3 normal = Vec3(0.3, -0.2, 1.0).normalized();
   const Cloud image = cameraCloud(normal, 1.0);

@@ -16,15 +16,7 @@
 namespace primitect {
 namespace {
 
-Cloud cloudOf(const std::vector<Vec3>& points) {
-  Cloud cloud;
-  cloud.reset(static_cast<std::uint32_t>(points.size()), 1, false);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f p = points[i].cast<float>();
-    cloud.setPoint(i, p.x(), p.y(), p.z(), {});
-  }
-  return cloud;
-}
+using test::listOf;
 
 /// Side by side in a square of this width (m), this far away.
 std::vector<Vec3> square(int per_side, double width, double depth) {
@@ -38,7 +30,7 @@ std::vector<Vec3> square(int per_side, double width, double depth) {
 }
 
 TEST(ProjectedImage, HoldsPointsWhereTheyAreSeen) {
-  const Cloud cloud = cloudOf(square(60, 0.6, 1.0));
+  const Cloud cloud = listOf(square(60, 0.6, 1.0));
   ProjectedImage projected;
   ASSERT_TRUE(projected.make(cloud));
   const Cloud& image = projected.image();
@@ -61,7 +53,7 @@ TEST(ProjectedImage, KeepsTheFirstOfASurfaceAndTheNearerOfTwoSurfaces) {
   const std::size_t same = points.size(), nearer = same + 1;
   points.push_back(0.99 * points[820]);  // noise alone would put every second one there
   points.push_back(0.7 * points[410]);
-  const Cloud cloud = cloudOf(points);
+  const Cloud cloud = listOf(points);
   ProjectedImage projected;
   ASSERT_TRUE(projected.make(cloud));
   EXPECT_NE(projected.image().z[projected.pixel()[same]], cloud.z[same]);
@@ -72,7 +64,7 @@ TEST(ProjectedImage, IsNoneWhereATableHidesWhatStandsOnIt) {
   std::vector<Vec3> points = square(60, 0.6, 1.0);
   for (std::size_t k = 0; k < 3600; k += 20) points.push_back(1.1 * points[k]);
   ProjectedImage projected;
-  EXPECT_FALSE(projected.make(cloudOf(points)));
+  EXPECT_FALSE(projected.make(listOf(points)));
   EXPECT_FALSE(projected.seenFromOrigin());
 }
 
@@ -84,7 +76,7 @@ TEST(ProjectedImage, MayHaveEdgesThroughItsPixels) {
   // What is farther away also lies in the last pixels of what is nearer.
   for (std::size_t row = 0; row < 60; ++row) points.push_back(1.3 * points[row * 60 + 29]);
   ProjectedImage projected;
-  EXPECT_TRUE(projected.make(cloudOf(points)));
+  EXPECT_TRUE(projected.make(listOf(points)));
   EXPECT_TRUE(projected.seenFromOrigin());
 }
 
@@ -93,14 +85,14 @@ TEST(ProjectedImage, IsAsFineAsThePointsAlsoWhereAFewLieFarAside) {
   points.emplace_back(-1.0, -1.0, 1.0);
   points.emplace_back(1.0, 1.0, 1.0);
   ProjectedImage projected;
-  ASSERT_TRUE(projected.make(cloudOf(points)));
+  ASSERT_TRUE(projected.make(listOf(points)));
   EXPECT_GT(projected.image().valid_count, points.size() / 2);
 }
 
 TEST(ProjectedImage, HoldsNoPlaceOfMissingPoints) {
   std::vector<Vec3> points = square(60, 0.6, 1.0);
   points.insert(points.begin() + 100, Vec3::Zero());
-  const Cloud cloud = cloudOf(points);
+  const Cloud cloud = listOf(points);
   ASSERT_FALSE(cloud.valid(100));
   ProjectedImage projected;
   ASSERT_TRUE(projected.make(cloud));
@@ -120,7 +112,7 @@ TEST(ProjectedImage, IsAsFineAsTheRaysThatPointsShare) {
       for (const Vec3& point : once) points.push_back(nearness * point);
     }
     ProjectedImage projected;
-    ASSERT_TRUE(projected.make(cloudOf(points)));
+    ASSERT_TRUE(projected.make(listOf(points)));
     EXPECT_GT(projected.image().valid_count, once.size() / 2);
     EXPECT_LE(projected.image().valid_count, once.size());
     EXPECT_LT(projected.image().size(), once.size() * 20);
@@ -132,7 +124,7 @@ TEST(ProjectedImage, IsNoLargerForAFewPointsFarAside) {
   const std::size_t in_square = points.size();
   for (int k = 0; k < 20; ++k) points.emplace_back(k % 2 == 0 ? 1.9 : -1.9, 0.19 * (k - 10), 1.0);
   ProjectedImage projected;
-  ASSERT_TRUE(projected.make(cloudOf(points)));
+  ASSERT_TRUE(projected.make(listOf(points)));
   EXPECT_LT(projected.image().size(), 4 * in_square);
   EXPECT_GT(projected.image().valid_count, in_square / 2);
   EXPECT_EQ(projected.pixel()[in_square], ProjectedImage::kNoPixel);
@@ -162,22 +154,22 @@ TEST(ProjectedImage, IsNotMadeOfPointsAlongALine) {
   Random random(3);
   std::vector<Vec3> scan;
   for (int i = 0; i < 2000; ++i) scan.emplace_back(0.001 * i, 1e-12 * random.uniform(), 1.5);
-  EXPECT_FALSE(ProjectedImage().make(cloudOf(scan)));
+  EXPECT_FALSE(ProjectedImage().make(listOf(scan)));
   for (Vec3& point : scan) point.y() = 0.0;
-  EXPECT_FALSE(ProjectedImage().make(cloudOf(scan)));
+  EXPECT_FALSE(ProjectedImage().make(listOf(scan)));
 }
 
 TEST(ProjectedImage, IsNotMadeOfWhatNoCameraSeesFromOnePlace) {
   // Two walls, one behind the other, both as dense as if nothing hid the farther one.
   std::vector<Vec3> points = square(60, 0.6, 1.0);
   for (const Vec3& point : square(60, 1.2, 2.0)) points.push_back(point);
-  EXPECT_FALSE(ProjectedImage().make(cloudOf(points)));
+  EXPECT_FALSE(ProjectedImage().make(listOf(points)));
   for (const Vec3& unseen : {Vec3(0.0, 0.0, -1.0), Vec3(2.1, 0.0, 1.0)}) {
     points = square(60, 0.6, 1.0);
     points.insert(points.end(), points.size() / 1000, unseen);
-    EXPECT_TRUE(ProjectedImage().make(cloudOf(points))) << "a few are strays";
+    EXPECT_TRUE(ProjectedImage().make(listOf(points))) << "a few are strays";
     points.insert(points.end(), points.size() / 400, unseen);
-    EXPECT_FALSE(ProjectedImage().make(cloudOf(points)));
+    EXPECT_FALSE(ProjectedImage().make(listOf(points)));
   }
   EXPECT_FALSE(ProjectedImage().make(test::cameraCloud(Vec3::UnitZ(), 1.0)));
   EXPECT_FALSE(ProjectedImage().make(Cloud()));

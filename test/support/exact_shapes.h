@@ -120,6 +120,17 @@ inline Cloud cloudOf(const std::vector<SurfacePoint>& points) {
   return cloud;
 }
 
+/// Points without normals, unorganized.
+inline Cloud listOf(const std::vector<Vec3>& points) {
+  Cloud cloud;
+  cloud.reset(static_cast<std::uint32_t>(points.size()), 1, false);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f p = points[i].cast<float>();
+    cloud.setPoint(i, p.x(), p.y(), p.z(), {});
+  }
+  return cloud;
+}
+
 /// An organized cloud of a pinhole camera (160 x 120, focal length 140 px) that looks at one plane n.p = offset.
 inline Cloud cameraCloud(const Vec3& normal, double offset) {
   Cloud cloud;
