@@ -14,9 +14,6 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-const std::array<const char*, 3> kPositionNames = {"x", "y", "z"};
-const std::array<const char*, 3> kNormalNames = {"normal_x", "normal_y", "normal_z"};
-
 /// Where a number stands in a point.
 struct Slot {
   std::uint32_t offset = 0;
@@ -42,12 +39,19 @@ std::string fieldList(const PointCloud2& message) {
   return list.empty() ? "none" : list;
 }
 
+/// What a cloud may have three of.
+struct Triple {
+  std::array<const char*, 3> names;
+  const char* expected;
+};
+const Triple kPosition = {{"x", "y", "z"}, "x, y, z as float32 or float64"};
+const Triple kNormal = {{"normal_x", "normal_y", "normal_z"}, "normal_x, normal_y, normal_z, or none of them"};
+
 /// Fills the slot, or says what is wrong with the field.
-std::string checkField(const PointCloud2& message, const char* name, Slot& slot) {
+std::string checkField(const PointCloud2& message, const char* name, const char* expected, Slot& slot) {
   const PointField* field = findField(message, name);
   const auto label = [name] { return std::string("field '") + name + "'"; };
-  if (!field)
-    return label() + " is missing (fields: " + fieldList(message) + "); expected x, y, z as float32 or float64";
+  if (!field) return label() + " is missing (fields: " + fieldList(message) + "); expected " + expected;
   slot.is_double = field->datatype == PointField::FLOAT64;
   if (!slot.is_double && field->datatype != PointField::FLOAT32) {
     return label() + " is " + typeName(field->datatype) + "; expected float32 or float64";
@@ -62,9 +66,9 @@ std::string checkField(const PointCloud2& message, const char* name, Slot& slot)
   return {};
 }
 
-std::string checkFields(const PointCloud2& message, const std::array<const char*, 3>& names, Slots& slots) {
+std::string checkFields(const PointCloud2& message, const Triple& triple, Slots& slots) {
   for (std::size_t i = 0; i < 3; ++i) {
-    std::string error = checkField(message, names[i], slots[i]);
+    std::string error = checkField(message, triple.names[i], triple.expected, slots[i]);
     if (!error.empty()) return error;
   }
   return {};
@@ -90,7 +94,7 @@ std::string checkSizes(const PointCloud2& message) {
 }
 
 bool bringsNormals(const PointCloud2& message) {
-  for (const char* name : kNormalNames) {
+  for (const char* name : kNormal.names) {
     if (findField(message, name)) return true;
   }
   return false;
@@ -98,8 +102,8 @@ bool bringsNormals(const PointCloud2& message) {
 
 std::string checkMessage(const PointCloud2& message, bool with_normals, Slots& position, Slots& normal) {
   if (message.is_bigendian) return "data is big-endian; expected little-endian";
-  std::string error = checkFields(message, kPositionNames, position);
-  if (error.empty() && with_normals) error = checkFields(message, kNormalNames, normal);
+  std::string error = checkFields(message, kPosition, position);
+  if (error.empty() && with_normals) error = checkFields(message, kNormal, normal);
   return error.empty() ? checkSizes(message) : error;
 }
 

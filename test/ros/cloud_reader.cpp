@@ -164,7 +164,7 @@ TEST(CloudReader, KeepsTheLengthOfNormalsAtOne) {
 TEST(CloudReader, RefusesNormalsThatAreNotComplete) {
   auto message = plainCloud();
   message.fields.push_back(makeField("normal_x", 0, sensor_msgs::PointField::FLOAT32));
-  expectRefused(message, {"normal_y", "missing"});
+  expectRefused(message, {"normal_y", "missing", "expected normal_x, normal_y, normal_z, or none of them"});
   Cloud cloud;
   EXPECT_EQ(readCloud(message, kAnyDepth, kPositions, cloud), "");
 }
