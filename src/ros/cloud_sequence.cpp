@@ -60,7 +60,8 @@ PrimitiveArray& CloudSequence::detect(const sensor_msgs::PointCloud2& cloud, boo
 /// asked.
 void CloudSequence::toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message) {
   frame_problem_.clear();
-  const std::string& wanted = pipeline_.params().target_frame;
+  // tf2 refuses frames with a slash before them.
+  const std::string wanted = frameName(pipeline_.params().target_frame);
   const std::string& target = wanted.empty() ? cloud_frame : wanted;
   const std::string& source = message.header.frame_id;
   Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();

@@ -122,6 +122,13 @@ TEST(CloudSequences, TellPrimitivesInTheTargetFrameAndWhereTheSensorIsThere) {
   EXPECT_EQ(sequence.frameProblem(), "");
 }
 
+TEST(CloudSequences, TellTheTargetFrameWithoutASlashBeforeIt) {
+  Params params;
+  params.target_frame = "/base";
+  CloudSequence sequence(params, always(0.5));
+  EXPECT_EQ(answer(sequence, ros::Time(10, 0)).header.frame_id, "base");
+}
+
 TEST(CloudSequences, SearchInTheSensorsFrameAndTellInThatOfTheCloud) {
   Params params;
   params.sensor_frame = "optical";
