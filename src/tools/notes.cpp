@@ -75,14 +75,16 @@ std::string noiseText(const Detections& found) {
       found.image_noise);
 }
 
-/// Written in another order, as that of the camera's matrix, they put the middle of the image far aside.
+/// Written in another order, as that of the camera's matrix, or those of an image of another size, they put the middle
+/// of the image far aside.
 std::string intrinsicsText(const io::PointFile& read) {
   if (!read.intrinsics) return "";
   const double right = read.intrinsics->cx / read.cloud.width, down = read.intrinsics->cy / read.cloud.height;
-  const auto central = [](double share) { return 0.25 <= share && share <= 0.75; };
+  const auto central = [](double share) { return 0.3 <= share && share <= 0.7; };
   if (central(right) && central(down)) return "";
-  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy?\n",
-                read.intrinsics->cx, read.intrinsics->cy);
+  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy, "
+                "for %u x %u pixels?\n",
+                read.intrinsics->cx, read.intrinsics->cy, read.cloud.width, read.cloud.height);
 }
 
 }  // namespace
