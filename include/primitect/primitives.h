@@ -72,6 +72,15 @@ Vec3 normalAt(const Shape& shape, const Vec3& p);
 /// The point of the surface that is nearest to p.
 Vec3 project(const Shape& shape, const Vec3& p);
 
+/// Ends of an axis; bits of Extent::unseen_ends.
+enum End : std::uint8_t {
+  kEndAtMinusZ = 1,
+  kEndAtPlusZ = 2,
+  kEndsUnknown = 128,
+};
+
+constexpr std::int32_t kNoFace = -1;
+
 /// The part of a shape that was seen.
 struct Extent {
   /// Origin: centre of the observed plane part, sphere centre, middle of the observed axis part (m).
@@ -83,6 +92,12 @@ struct Extent {
   double radius = 0.0;        ///< sphere, cylinder; cone: at the wide end of the observed part (m)
   double radius_small = 0.0;  ///< cone: at the narrow end of the observed part (m)
   std::vector<Vec3> hull;     ///< plane: convex outline, counter-clockwise seen from the sensor (m)
+  /// Cylinder and cone: the ends along z of which the image does not show that the shape ends there, as it is cut off
+  /// (Detection::truncated) or seen along its axis: it may go on. Bits of End; other kinds: 0.
+  std::uint8_t unseen_ends = kEndsUnknown;
+  /// Cylinder and cone: the plane on which the axis ends at -z and +z, as the table that it stands on or its lid; index
+  /// in Detections::items, kNoFace: none.
+  std::int32_t face_at_minus_z = kNoFace, face_at_plus_z = kNoFace;
 };
 
 /// Why the extent is only a lower bound; bits of Detection::truncated.
@@ -108,6 +123,9 @@ struct Detection {
   float coverage = kUnknown;           ///< observed share of the full turn or area, [0, 1]
   float radius_stddev = kUnknown;      ///< m
   float half_angle_stddev = kUnknown;  ///< rad
+  /// Of the extent's origin (m) and z axis (rad), along the worst of the directions in which they can be observed:
+  /// the origin of a plane along its normal, of a cylinder across its axis; a sphere has no axis, 0.
+  float position_stddev = kUnknown, axis_stddev = kUnknown;
   /// 6 x 6 row-major, x y z rotX rotY rotZ (m, rad); [0] = -1: unknown.
   std::array<double, 36> covariance = {-1.0};
   bool concave = false;

@@ -3,6 +3,7 @@
 // Covariance of a robust fit (Huber, Robust Statistics, 1981, 7.6) and its way to the pose; see covariance.h.
 #include "core/covariance.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -200,6 +201,13 @@ Eigen::Matrix3d secondOrder(const Cone& cone, const Hessian& local) {
   return across * terms * across.transpose();
 }
 
+/// Along the direction in which it is largest.
+double largestDeviation(const Eigen::Matrix3d& covariance) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(solver.eigenvalues()[2], 0.0));
+}
+
 }  // namespace
 
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, double shared_noise) {
@@ -217,11 +225,14 @@ Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const S
   if (const Cone* cone = std::get_if<Cone>(&shape)) {
     observed.topLeftCorner<3, 3>() += secondOrder(*cone, local);
   }
-  const Hessian pose = capped(observed) + published.unobservable + kRounding * Hessian::Identity();
+  observed = capped(observed);
+  const Hessian pose = observed + published.unobservable + kRounding * Hessian::Identity();
   Uncertainty uncertainty;
   Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(uncertainty.pose.data()) = 0.5 * (pose + pose.transpose());
   uncertainty.radius_stddev = std::sqrt(std::max(published.radius.dot(local * published.radius), 0.0));
   if (kindOf(shape) == Kind::cone) uncertainty.half_angle_stddev = std::sqrt(std::max(local(5, 5), 0.0));
+  uncertainty.position_stddev = largestDeviation(observed.topLeftCorner<3, 3>());
+  uncertainty.axis_stddev = largestDeviation(observed.bottomRightCorner<3, 3>());
   return uncertainty;
 }
 

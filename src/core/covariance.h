@@ -21,6 +21,9 @@ struct Uncertainty {
   std::array<double, 36> pose;
   double radius_stddev = 0.0;      ///< m; sphere, cylinder; cone: at the wide end of the observed part; plane: 0
   double half_angle_stddev = 0.0;  ///< rad; cone; others: 0
+  /// Of the origin and of the z axis, along the worst of the directions in which they can be observed (m, rad); sphere:
+  /// its axis is none, 0.
+  double position_stddev = 0.0, axis_stddev = 0.0;
 };
 
 /// Covariance of the local parameters (residuals.h; m, rad) of a shape that refine() has fitted to these points with

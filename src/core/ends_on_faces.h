@@ -3,9 +3,16 @@
 // Where a cylinder or a cone ends at a face: the table that it stands on, its lid.
 #pragma once
 
+#include <vector>
+
+#include "core/point_noise.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
+
+/// Standard deviations of the noise that make the reach of a face: three make an inlier, and the last hundredth is
+/// added to them.
+constexpr double kReachOfFaces = 5.0;
 
 /// Where the two meet, noise gives points of the one to the other, and the last points before an edge are lost: the
 /// face tells better where the axis ends. An end that goes on behind the plane's observed part, or beyond it, by less
@@ -13,5 +20,9 @@ namespace primitect {
 /// planes and spheres, nor where the axis and the normal are more than 15 deg apart: the ring where a tilted tube meets
 /// a face has no one height.
 void endOn(const Detection& plane, double reach, const Shape& shape, Extent& extent);
+
+/// Tells all cylinders and cones the planes among the others that endOn() would move their ends to, of several the
+/// nearest one. sigma: m, noise of the distance to a surface.
+void nameEndFaces(const PointNoise& sigma, std::vector<Detection>& items);
 
 }  // namespace primitect

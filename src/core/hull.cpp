@@ -115,18 +115,6 @@ List<Vec2> convexHull(const List<Vec2>& all, double flat) {
   return kept;
 }
 
-Rectangle rectangleAlong(const Vec2& x, const List<Vec2>& points) {
-  Eigen::Matrix2d axes;
-  axes << x, Vec2(-x.y(), x.x());
-  Vec2 low = axes.transpose() * points.front(), high = low;
-  for (const Vec2& point : points) {
-    const Vec2 there = axes.transpose() * point;
-    low = low.cwiseMin(there);
-    high = high.cwiseMax(there);
-  }
-  return {x, axes * (0.5 * (low + high)), high - low};
-}
-
 Rectangle smallestRectangle(const List<Vec2>& corners) {
   Rectangle smallest = rectangleAlong(Vec2::UnitX(), corners);
   for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -170,9 +170,8 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 
 /// Without it cylinders and cones on tables are 2.6 mm too long in the median, with three times the noise 9.1.
 void Measurement::endAtFacesOrTip(Detection& detection) const {
-  constexpr double kReach = 5.0;  // standard deviations: three make an inlier, and the last hundredth is added to them
   const double sigma = sigma_(detection.extent.origin), narrow = detection.extent.radius_small;
-  for (const Detection* face : faces_) endOn(*face, kReach * sigma, detection.shape, detection.extent);
+  for (const Detection* face : faces_) endOn(*face, kReachOfFaces * sigma, detection.shape, detection.extent);
   // What ends on a face has no tip.
   if (detection.extent.radius_small == narrow) endAtTip(sigma, detection.shape, detection.extent);
 }
@@ -204,7 +203,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_, density);
   detection.confidence *=
       static_cast<float>(trustInShare(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
-  detection.truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
+  const Truncated truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
+  detection.truncated = truncated.by;
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
   // What is measured above is with the points of a next part: clutter earns no more trust by leaving out what
@@ -212,6 +212,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   share *= endWhereItBends(points_, sigma_, detection.shape, detection.extent);
   detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));
   endAtFacesOrTip(detection);
+  detection.extent.unseen_ends = truncated.unseen_ends;
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));
@@ -226,6 +227,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
+  detection.position_stddev = static_cast<float>(uncertainty.position_stddev);
+  detection.axis_stddev = static_cast<float>(uncertainty.axis_stddev);
   const bool likely = detection.confidence >= leastWhileChoosing(limits_.params);
   if (likely && kindOf(detection.shape) == Kind::plane) faces_.push_back(&detection);
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "core/hull.h"
 
@@ -15,7 +16,13 @@ namespace {
 constexpr double kAlike = 1.25;
 
 /// About x: the side that was seen stays where it is.
-void turnRound(Extent& extent) { extent.rotation.rightCols<2>() *= -1.0; }
+void turnRound(Extent& extent) {
+  extent.rotation.rightCols<2>() *= -1.0;
+  const unsigned ends = extent.unseen_ends;
+  const unsigned turned = (ends & kEndAtMinusZ) << 1 | (ends & kEndAtPlusZ) >> 1;
+  extent.unseen_ends = static_cast<std::uint8_t>((ends & kEndsUnknown) | turned);
+  std::swap(extent.face_at_minus_z, extent.face_at_plus_z);
+}
 
 Vec2 quarterTurn(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
@@ -28,20 +35,24 @@ Rectangle sidesNear(const Vec2& before, const Vec2& size) {
   return sides;
 }
 
+/// Around the hull, in the frame of the extent.
+Rectangle aroundHull(const Vec2& x, const Extent& extent) {
+  const auto corner = [&extent](std::size_t k) -> Vec2 {
+    return extent.rotation.leftCols<2>().transpose() * (extent.hull[k] - extent.origin);
+  };
+  return rectangleAlong(x, extent.hull.size(), corner);
+}
+
 /// What has no sides: the rectangle halfway between them is not much larger.
-bool isRound(const Extent& extent, const List<Vec2>& corners) {
-  if (corners.empty()) return false;
-  const Rectangle between = rectangleAlong(Vec2(1.0, 1.0).normalized(), corners);
+bool isRound(const Extent& extent) {
+  if (extent.hull.empty()) return false;
+  const Rectangle between = aroundHull(Vec2(1.0, 1.0).normalized(), extent);
   return between.size.prod() <= kAlike * extent.size.head<2>().prod();
 }
 
 /// With x near the one before, a unit vector in the plane, in the frame of the extent.
 Rectangle steadySides(const Vec2& before, const Extent& extent) {
-  List<Vec2> corners;
-  for (const Vec3& corner : extent.hull) {
-    corners.push_back(extent.rotation.leftCols<2>().transpose() * (corner - extent.origin));
-  }
-  return isRound(extent, corners) ? rectangleAlong(before, corners) : sidesNear(before, extent.size.head<2>());
+  return isRound(extent) ? aroundHull(before, extent) : sidesNear(before, extent.size.head<2>());
 }
 
 void turnPlane(const Vec3& before, Extent& extent) {

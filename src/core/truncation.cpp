@@ -12,6 +12,7 @@
 #include "core/axis_extent.h"
 #include "core/observed_part.h"
 #include "core/ray_depth.h"
+#include "core/unseen_ends.h"
 #include "kernels/loops.h"
 
 namespace primitect {
@@ -94,6 +95,24 @@ class Walk {
   double last_depth_ = 0.0;  ///< where a point was last seen on it
   int strangers_ = 0;        ///< pixels off the surface since the last one on it
 };
+
+/// From a pixel to the next one on a surface.
+struct SurfaceStep {
+  Vec3 from, step;  ///< m
+};
+
+/// By the surface alone: noise is wider than a pixel. Nothing where the next ray no longer meets it.
+template <class T>
+std::optional<SurfaceStep> surfaceStep(const T& shape, const ImageRays& rays, double depth, const Pixel& pixel,
+                                       const Pixel& step) {
+  const Vec3 here = rays.through(pixel.column, pixel.row);
+  const Vec3 ahead = rays.through(pixel.column + step.column, pixel.row + step.row);
+  const std::optional<double> from = depthOn(shape, here, depth);
+  if (!from) return std::nullopt;
+  const std::optional<double> to = depthOn(shape, ahead, *from);
+  if (!to) return std::nullopt;
+  return SurfaceStep{*from * here, *to * ahead - *from * here};
+}
 
 /// Bands of rows or columns with their outermost pixels: where walks start.
 class Bands {
@@ -189,27 +208,41 @@ std::uint8_t depthBit(const Cloud& cloud, const DepthRange& range, const List<st
 TruncationFinder::TruncationFinder(const Cloud& cloud, const ImageRays& rays, const DepthRange& range, PointNoise sigma)
     : cloud_(cloud), rays_(rays), range_(range), sigma_(std::move(sigma)) {}
 
-std::uint8_t TruncationFinder::find(const Shape& shape, const Extent& extent,
-                                    const List<std::uint32_t>& inlier_points) const {
-  if (inlier_points.empty()) return kTruncationUnknown;
-  if (!rays_.known) return kTruncationUnknown | depthBit(cloud_, range_, inlier_points);
+Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
+                                 const List<std::uint32_t>& inlier_points) const {
+  const bool has_axis = hasAxis(kindOf(shape));
+  Truncated truncated;
+  if (!has_axis) truncated.unseen_ends = 0;
+  if (inlier_points.empty()) return truncated;
+  if (!rays_.known) {
+    truncated.by |= depthBit(cloud_, range_, inlier_points);
+    return truncated;
+  }
   const List<Pixel> pixels = pixelsOn(ObservedPart(shape, extent), cloud_, sigma_, inlier_points);
-  if (pixels.empty()) return kTruncationUnknown;
+  if (pixels.empty()) return truncated;
   const auto starts = startsOf(pixels);
   std::array<std::size_t, 8> counts = {};
+  UnseenEnds ends(extent);
   const auto walkAll = [&](const auto& any) {
     const auto& on = opened(any);
-    for (const auto& [start, step] : starts) ++counts[Walk(cloud_, rays_, range_, sigma_, on).from(start, step)];
+    for (const auto& [start, step] : starts) {
+      const std::uint8_t end = Walk(cloud_, rays_, range_, sigma_, on).from(start, step);
+      ++counts[end];
+      if (!has_axis) continue;
+      const double depth = cloud_.z[static_cast<std::size_t>(start.row) * cloud_.width + start.column];
+      if (const auto first = surfaceStep(on, rays_, depth, start, step)) ends.add(first->from, first->step, end != 0);
+    }
   };
   std::visit(walkAll, shape);
   // A pipe that runs slantwise into the border reaches it with an end: of two dozen walks one or two go along it.
-  const std::uint8_t at_an_end = hasAxis(kindOf(shape)) ? kTruncatedByImage : 0;
-  std::uint8_t bits = 0;
+  const std::uint8_t at_an_end = has_axis ? kTruncatedByImage : 0;
+  truncated.by = 0;
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
     const std::size_t walks = bit == at_an_end ? 24 : 10;
-    if (walks * counts[bit] >= starts.size()) bits |= bit;
+    if (walks * counts[bit] >= starts.size()) truncated.by |= bit;
   }
-  return bits;
+  if (has_axis) truncated.unseen_ends = ends.bits();
+  return truncated;
 }
 
 }  // namespace primitect

@@ -14,6 +14,12 @@
 
 namespace primitect {
 
+/// What the sensor could not see of a shape.
+struct Truncated {
+  std::uint8_t by = kTruncationUnknown;     ///< bits of Truncation
+  std::uint8_t unseen_ends = kEndsUnknown;  ///< see Extent
+};
+
 /// Of one frame. The cloud must outlive it.
 class TruncationFinder {
  public:
@@ -22,7 +28,7 @@ class TruncationFinder {
   TruncationFinder(const Cloud& cloud, const DepthRange& range, PointNoise sigma)
       : TruncationFinder(cloud, findRays(cloud), range, std::move(sigma)) {}
 
-  /// Bits of Truncation for a shape with these points of the cloud. From the outermost of them the image is followed
+  /// Of a shape with these points of the cloud. From the outermost of them the image is followed
   /// along the surface to the first pixel that is not on it, in rows and columns; a tenth of these walks decides:
   ///   image      it is outside of what the sensor measures
   ///   depth      the surface there is out of range
@@ -31,7 +37,7 @@ class TruncationFinder {
   ///              itself: the near wall of a cup hides the lower part of its inside.
   /// A cloud that is not a pinhole image tells the depth only: the bit is set when the farthest or nearest points reach
   /// the bound, along with kTruncationUnknown.
-  std::uint8_t find(const Shape& shape, const Extent& extent, const List<std::uint32_t>& inlier_points) const;
+  Truncated find(const Shape& shape, const Extent& extent, const List<std::uint32_t>& inlier_points) const;
 
  private:
   const Cloud& cloud_;

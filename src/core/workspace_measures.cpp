@@ -7,6 +7,7 @@
 
 #include "core/bent_part.h"
 #include "core/clear_points.h"
+#include "core/ends_on_faces.h"
 #include "core/evidence.h"
 #include "core/extent.h"
 #include "core/far_sides.h"
@@ -235,6 +236,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     }
   }
   spare_outlines.keep(result.items, [&](std::size_t k) { return enough[k] && within(k) && likely(k); });
+  nameEndFaces(verification.fullNoise(), result.items);
 }
 
 /// How many points the measures of each detection are taken from. 4096 instead of 2048: on the paper's scenes DOD is

@@ -15,6 +15,16 @@ using Json = nlohmann::ordered_json;
 
 Json knownOrNull(float value) { return value == kUnknown ? Json(nullptr) : Json(value); }
 
+Json unseenEndsJson(std::uint8_t ends) {
+  if (ends & kEndsUnknown) return nullptr;
+  Json json = Json::array();
+  if (ends & kEndAtMinusZ) json.push_back("minus_z");
+  if (ends & kEndAtPlusZ) json.push_back("plus_z");
+  return json;
+}
+
+Json faceJson(std::int32_t face) { return face == kNoFace ? Json(nullptr) : Json(face); }
+
 /// The keys that mean something for the kind.
 Json extentJson(const Detection& detection) {
   const Extent& extent = detection.extent;
@@ -31,6 +41,9 @@ Json extentJson(const Detection& detection) {
     return json;
   }
   json["length"] = extent.size.z();
+  json["unseen_ends"] = unseenEndsJson(extent.unseen_ends);
+  json["face_at_minus_z"] = faceJson(extent.face_at_minus_z);
+  json["face_at_plus_z"] = faceJson(extent.face_at_plus_z);
   if (kind == Kind::cone) {
     json["radius_large"] = extent.radius;
     json["radius_small"] = extent.radius_small;
@@ -57,6 +70,8 @@ Json primitiveJson(const Detection& detection) {
   json["coverage"] = knownOrNull(detection.coverage);
   json["radius_stddev"] = knownOrNull(detection.radius_stddev);
   json["half_angle_stddev"] = knownOrNull(detection.half_angle_stddev);
+  json["position_stddev"] = knownOrNull(detection.position_stddev);
+  json["axis_stddev"] = knownOrNull(detection.axis_stddev);
   json["covariance"] = detection.covariance[0] == -1.0 ? Json(nullptr) : Json(detection.covariance);
   json["concave"] = detection.concave;
   json["truncated"] = truncatedJson(detection.truncated);

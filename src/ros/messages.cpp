@@ -73,6 +73,8 @@ Detection fromMessage(const Primitive& message) {
   detection.coverage = message.coverage;
   detection.radius_stddev = message.radius_stddev;
   detection.half_angle_stddev = message.half_angle_stddev;
+  detection.position_stddev = message.position_stddev;
+  detection.axis_stddev = message.axis_stddev;
   std::copy(message.pose.covariance.begin(), message.pose.covariance.end(), detection.covariance.begin());
   detection.concave = message.concave;
   detection.truncated = message.truncated;
@@ -108,6 +110,8 @@ void fill(const Detection& detection, std::uint32_t id, Primitive& message) {
   for (const Vec3& p : extent.hull) message.hull.push_back(point32Message(p));
   message.radius_stddev = detection.radius_stddev;
   message.half_angle_stddev = detection.half_angle_stddev;
+  message.position_stddev = detection.position_stddev;
+  message.axis_stddev = detection.axis_stddev;
   message.confidence = detection.confidence;
   message.rival = rivalNumber(detection.rival);
   message.votes = detection.votes;
@@ -168,6 +172,9 @@ void readExtent(const Primitive& message, Extent& extent) {
   extent.size = Vec3(message.size[0], message.size[1], message.size[2]);
   extent.radius = message.radius;
   extent.radius_small = message.radius_small;
+  extent.unseen_ends = message.unseen_ends;
+  extent.face_at_minus_z = message.face_at_minus_z;
+  extent.face_at_plus_z = message.face_at_plus_z;
   extent.hull.clear();
   for (const geometry_msgs::Point32& p : message.hull) extent.hull.push_back(toVec3(p));
 }
@@ -176,6 +183,9 @@ void writePose(const Extent& extent, Primitive& message) {
   message.pose.pose.position = pointMessage(extent.origin);
   message.pose.pose.orientation = quaternionMessage(extent.rotation);
   for (std::size_t i = 0; i < 3; ++i) message.size[i] = static_cast<float>(extent.size[static_cast<int>(i)]);
+  message.unseen_ends = extent.unseen_ends;
+  message.face_at_minus_z = extent.face_at_minus_z;
+  message.face_at_plus_z = extent.face_at_plus_z;
 }
 
 void transformPrimitives(const Eigen::Isometry3d& target_from_source, PrimitiveArray& message) {

@@ -39,7 +39,7 @@ Detections fromMessage(const PrimitiveArray& message);
 /// Pose, sizes and outline of a primitive; keeps the memory of extent.hull.
 void readExtent(const Primitive& message, Extent& extent);
 
-/// Where the body of a primitive is and how long: pose without covariance, size.
+/// Where the body of a primitive is, how long, and what is at its ends; pose without covariance.
 void writePose(const Extent& extent, Primitive& message);
 
 /// Moves poses, apexes, outlines and covariances to another frame; the header's frame_id is the caller's business.

@@ -202,6 +202,30 @@ TEST(PoseCovariance, SaysWhatCannotBeObserved) {
   }
 }
 
+/// Along the direction in which it is largest.
+double worstOf(const Eigen::MatrixXd& covariance) { return std::sqrt(-test::leastEigenvalue(-covariance)); }
+
+TEST(PoseCovariance, HasItsWorstObservedDeviationsAsOneNumberEach) {
+  Random random(19);
+  for (const Kind kind : kKinds) {
+    const Patch patch = test::randomPatch(kind, 300, random);
+    const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
+    const Extent extent = measureExtent(*fit.shape, fit.measured);
+    const Uncertainty uncertainty = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
+    const Matrix6 covariance = poseOf(uncertainty);
+    const Eigen::Matrix3d shift = extent.rotation.transpose() * covariance.topLeftCorner<3, 3>() * extent.rotation;
+    const Eigen::Matrix3d turn = extent.rotation.transpose() * covariance.bottomRightCorner<3, 3>() * extent.rotation;
+    const double position = kind == Kind::plane      ? std::sqrt(shift(2, 2))
+                            : kind == Kind::cylinder ? worstOf(shift.topLeftCorner<2, 2>())
+                                                     : worstOf(shift);
+    // Beside 1e6 the covariance has 0.02 mm and 0.02 mrad more.
+    EXPECT_NEAR(uncertainty.position_stddev, position, 2e-5 + 0.01 * position) << kindName(kind);
+    const double axis = kind == Kind::sphere ? 0.0 : worstOf(turn.topLeftCorner<2, 2>());
+    EXPECT_NEAR(uncertainty.axis_stddev, axis, 2e-5 + 0.01 * axis) << kindName(kind);
+    EXPECT_GT(uncertainty.position_stddev, 1e-5) << kindName(kind);
+  }
+}
+
 TEST(Covariance, OfPointsThatDetermineNothingIsLargeButFinite) {
   const std::vector<Shape> shapes = {Plane{Vec3(0, 0, 1), -Vec3::UnitZ()}, Sphere{Vec3(0, 0, 1), 0.1},
                                      Cylinder{Vec3(0, 0, 1), Vec3::UnitX(), 0.1},
@@ -217,6 +241,8 @@ TEST(Covariance, OfPointsThatDetermineNothingIsLargeButFinite) {
       EXPECT_GE(uncertainty.radius_stddev, 0.0);
       EXPECT_TRUE(std::isfinite(uncertainty.radius_stddev));
       EXPECT_TRUE(std::isfinite(uncertainty.half_angle_stddev));
+      EXPECT_TRUE(std::isfinite(uncertainty.position_stddev));
+      EXPECT_TRUE(std::isfinite(uncertainty.axis_stddev));
       EXPECT_LE(covariance.diagonal().maxCoeff(), 2.0 * kUnobservable);
       EXPECT_GT(test::leastEigenvalue(covariance), -1e-12 * kUnobservable) << kindName(kindOf(shape)) << " " << count;
     }

@@ -8,7 +8,7 @@ namespace primitect {
 namespace {
 
 Uncertainty uncertain(double radius_stddev, double half_angle_stddev = 0.0) {
-  return {{}, radius_stddev, half_angle_stddev};
+  return {{}, radius_stddev, half_angle_stddev, 0.0, 0.0};
 }
 
 TEST(TrustInSize, IsFullWhereThePointsDetermineTheRadius) {

@@ -162,5 +162,43 @@ TEST(EndsOnFaces, LeavesPlanesAndBallsAsTheyAre) {
   EXPECT_EQ(ball.origin, kMiddle);
 }
 
+Detection detectionOf(const Can& can) {
+  Detection item;
+  item.shape = can.shape();
+  item.extent = can.extent();
+  return item;
+}
+
+double sigmaOfReach(const Vec3&) { return kReach / kReachOfFaces; }
+
+TEST(EndFaces, OfACanAreTheTableAndItsLid) {
+  Detection lid = table();
+  lid.shape = Plane{kMiddle + 0.2 * kUp, kUp};
+  lid.extent.origin += 0.2 * kUp;
+  for (Vec3& corner : lid.extent.hull) corner = lid.extent.origin + 0.1 * (corner - kMiddle);
+  Detection below = lid;  // as near as a face is looked for, but farther than the lid
+  below.shape = Plane{kMiddle + 0.195 * kUp, kUp};
+  std::vector<Detection> items = {below, detectionOf(Can()), lid, table()};
+  nameEndFaces(sigmaOfReach, items);
+  EXPECT_EQ(items[1].extent.face_at_minus_z, 3);
+  EXPECT_EQ(items[1].extent.face_at_plus_z, 2);
+  for (const std::size_t k : {0, 2, 3}) {
+    EXPECT_EQ(items[k].extent.face_at_minus_z, kNoFace) << k;
+    EXPECT_EQ(items[k].extent.face_at_plus_z, kNoFace) << k;
+  }
+}
+
+TEST(EndFaces, AreNoneOfACanBesideTheTableOrAboveIt) {
+  Can beside, above;
+  beside.foot = kMiddle + 0.5 * kRight;
+  above.low = 0.02;
+  std::vector<Detection> items = {table(), detectionOf(beside), detectionOf(above)};
+  nameEndFaces(sigmaOfReach, items);
+  for (const Detection& item : items) {
+    EXPECT_EQ(item.extent.face_at_minus_z, kNoFace);
+    EXPECT_EQ(item.extent.face_at_plus_z, kNoFace);
+  }
+}
+
 }  // namespace
 }  // namespace primitect

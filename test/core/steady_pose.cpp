@@ -121,11 +121,23 @@ TEST(SteadyPose, FollowsAPlaneThatTurns) {
 
 TEST(SteadyPose, TurnsACylinderRoundAboutItsSeenSide) {
   Extent extent;
-  turnAsBefore(Kind::cylinder, {0.1, 0.0, -1.0}, extent);
-  EXPECT_EQ(extent.rotation, Eigen::Matrix3d(Vec3(1.0, -1.0, -1.0).asDiagonal()));
-  const Extent turned = extent;
-  turnAsBefore(Kind::cylinder, {0.1, 0.0, -1.0}, extent);
-  EXPECT_EQ(extent.rotation, turned.rotation);
+  extent.unseen_ends = kEndAtMinusZ;
+  extent.face_at_minus_z = 7;
+  for (int again = 0; again < 2; ++again) {
+    turnAsBefore(Kind::cylinder, {0.1, 0.0, -1.0}, extent);
+    EXPECT_EQ(extent.rotation, Eigen::Matrix3d(Vec3(1.0, -1.0, -1.0).asDiagonal()));
+    EXPECT_EQ(extent.unseen_ends, kEndAtPlusZ);
+    EXPECT_EQ(extent.face_at_plus_z, 7);
+    EXPECT_EQ(extent.face_at_minus_z, kNoFace);
+  }
+  turnAsBefore(Kind::cylinder, {0.1, 0.0, 1.0}, extent);
+  EXPECT_EQ(extent.unseen_ends, kEndAtMinusZ);
+  for (const int ends : {0, kEndAtMinusZ | kEndAtPlusZ, int{kEndsUnknown}}) {
+    extent = Extent();
+    extent.unseen_ends = static_cast<std::uint8_t>(ends);
+    turnAsBefore(Kind::cylinder, -Vec3::UnitZ(), extent);
+    EXPECT_EQ(extent.unseen_ends, ends);
+  }
 }
 
 TEST(SteadyPose, LeavesAsTheyAreConesBallsAndWhatHasNoBefore) {

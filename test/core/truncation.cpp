@@ -53,7 +53,7 @@ struct View {
     return transformed(pose.inverse(), world.surfaces()[static_cast<std::size_t>(surface)].shape);
   }
 
-  int truncationOf(int surface) const {
+  Truncated truncated(int surface) const {
     const List<std::uint32_t> samples = samplesOf(surface);
     std::vector<Vec3> points;
     for (const std::uint32_t i : samples) points.emplace_back(cloud.x[i], cloud.y[i], cloud.z[i]);
@@ -61,6 +61,7 @@ struct View {
     const TruncationFinder finder(cloud, range, noise);
     return finder.find(shape(surface), measureExtent(shape(surface), points), samples);
   }
+  int truncationOf(int surface) const { return truncated(surface).by; }
 };
 
 Eigen::Isometry3d at(double x, double y, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, y, z)); }
@@ -95,6 +96,7 @@ TEST(Truncation, OfThingsThatStandFreeIsNone) {
     EXPECT_EQ(view.truncationOf(table), 0) << seed;
     EXPECT_EQ(view.truncationOf(can), 0) << seed;
     EXPECT_EQ(view.truncationOf(ball), 0) << seed;
+    for (const int surface : {table, can, ball, cone}) EXPECT_EQ(view.truncated(surface).unseen_ends, 0) << seed;
     EXPECT_EQ(view.truncationOf(cone), 0) << seed;
   }
 }
@@ -121,6 +123,8 @@ TEST(Truncation, OfAPipeThatRunsSlantwiseOutOfTheImageIsByTheImage) {
     view.render();
     const int mantle = view.world.bodies()[static_cast<std::size_t>(pipe)].first_surface;
     EXPECT_EQ(view.truncationOf(mantle), kTruncatedByImage) << turn;
+    // z of the pipe, -y of the world before it is turned, points to the right.
+    EXPECT_EQ(view.truncated(mantle).unseen_ends, kEndAtMinusZ) << turn;
   }
 }
 
@@ -161,6 +165,18 @@ TEST(Truncation, OfACanBehindAnotherIsByOcclusion) {
       EXPECT_EQ(view.truncationOf(behind), kTruncatedByOcclusion) << y << " " << distance;
       EXPECT_EQ(view.truncationOf(front), 0) << y << " " << distance;
     }
+  }
+}
+
+TEST(Truncation, OfACanBehindABoxLeavesItsFootUnseen) {
+  for (const double side : {-0.04, 0.0, 0.04}) {  // m: part of its left, all, part of its right
+    View view;
+    addTable(view.world);
+    view.world.add("box", Box{0.02, 0.06, 0.04}, at(-0.1, side, 0.04));
+    const int can = addCan(view.world, 0.0, 0.0);
+    view.render();
+    EXPECT_EQ(view.truncationOf(can), kTruncatedByOcclusion) << side;
+    EXPECT_EQ(view.truncated(can).unseen_ends, side == 0.0 ? kEndAtMinusZ : 0) << side;
   }
 }
 
@@ -213,7 +229,7 @@ TEST(Truncation, WithoutAnImageOnlyTheDepthIsKnown) {
 
 TEST(Truncation, OfAShuffledImageIsUnknown) {
   View view;
-  const int table = addTable(view.world);
+  const int table = addTable(view.world), can = addCan(view.world, 0.0, 0.0);
   view.render();
   Random random(5);
   for (std::size_t i = view.cloud.size() - 1; i > 0; --i) {
@@ -224,6 +240,8 @@ TEST(Truncation, OfAShuffledImageIsUnknown) {
     std::swap(view.frame.surface[i], view.frame.surface[k]);
   }
   EXPECT_EQ(view.truncationOf(table), kTruncationUnknown);
+  EXPECT_EQ(view.truncated(table).unseen_ends, 0) << "has no axis";
+  EXPECT_EQ(view.truncated(can).unseen_ends, kEndsUnknown);
 }
 
 TEST(ImageRays, AreThoseOfTheCamera) {

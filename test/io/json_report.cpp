@@ -95,7 +95,8 @@ TEST(JsonReport, SaysWhereTheSensorWasAndHowThatIsKnown) {
 
 TEST(JsonReport, LeavesUnknownFieldsNull) {
   const Json plane = test::parsedJson(reportJson(fourKinds()))["primitives"][0];
-  for (const char* key : {"confidence", "coverage", "radius_stddev", "half_angle_stddev", "covariance", "truncated"}) {
+  for (const char* key : {"confidence", "coverage", "radius_stddev", "half_angle_stddev", "position_stddev",
+                          "axis_stddev", "covariance", "truncated"}) {
     ASSERT_TRUE(plane.contains(key)) << key;
     EXPECT_TRUE(plane[key].is_null()) << key;
   }
@@ -115,6 +116,29 @@ TEST(JsonReport, FillsKnownFields) {
   EXPECT_EQ(json["covariance"].size(), 36u);
   EXPECT_EQ(json["extent"]["size"], Json({2.0, 1.0}));
   EXPECT_EQ(json["extent"]["hull"][1], Json({1.0, 0.0, 1.0}));
+}
+
+TEST(JsonReport, NamesThePlanesOnWhichAnAxisEnds) {
+  FileReport report = fourKinds();
+  report.detections.items[3].extent.face_at_plus_z = 0;
+  const Json extent = test::parsedJson(reportJson(report))["primitives"][3]["extent"];
+  EXPECT_EQ(extent["face_at_plus_z"], 0);
+  EXPECT_TRUE(extent["face_at_minus_z"].is_null());
+}
+
+TEST(JsonReport, NamesEndsThatWereNotSeen) {
+  FileReport report = fourKinds();
+  const auto endsOf = [&report](std::size_t k, int ends) {
+    report.detections.items[k].extent.unseen_ends = static_cast<std::uint8_t>(ends);
+    return test::parsedJson(reportJson(report))["primitives"][k]["extent"].value("unseen_ends", Json("none"));
+  };
+  for (const std::size_t k : {2, 3}) {  // cylinder and cone
+    EXPECT_EQ(endsOf(k, 0), Json::array());
+    EXPECT_EQ(endsOf(k, kEndAtMinusZ), Json::array({"minus_z"}));
+    EXPECT_EQ(endsOf(k, kEndAtMinusZ | kEndAtPlusZ), Json::array({"minus_z", "plus_z"}));
+    EXPECT_EQ(endsOf(k, kEndsUnknown), Json(nullptr));
+  }
+  for (const std::size_t k : {0, 1}) EXPECT_EQ(endsOf(k, 0), Json("none")) << "has no axis";
 }
 
 TEST(JsonReport, TellsTheDepthCutOfACloudThatIsNoImage) {

@@ -24,6 +24,8 @@ Detection coneDetection() {
   extent.size = Vec3(0.0, 0.0, 0.25);
   extent.radius = 0.125;
   extent.radius_small = 0.0625;
+  extent.unseen_ends = kEndAtPlusZ;
+  extent.face_at_minus_z = 7;
   detection.shape = Cone{Vec3(0.1, 0.2, 0.3), extent.rotation.col(2), 0.25};
   detection.votes = 12.5f;
   detection.inlier_count = 77;
@@ -32,6 +34,8 @@ Detection coneDetection() {
   detection.coverage = 0.5f;
   detection.radius_stddev = 0.001f;
   detection.half_angle_stddev = 0.002f;
+  detection.position_stddev = 0.003f;
+  detection.axis_stddev = 0.004f;
   for (std::size_t i = 0; i < 36; ++i) detection.covariance[i] = 1.0 + static_cast<double>(i);
   detection.rival = Kind::cylinder;
   detection.concave = true;
@@ -87,11 +91,15 @@ TEST(Messages, HoldUnknownWhereNoStageFilledAField) {
   EXPECT_EQ(message.pose.covariance[0], -1.0);
   EXPECT_EQ(message.radius_stddev, -1.0f);
   EXPECT_EQ(message.half_angle_stddev, -1.0f);
+  EXPECT_EQ(message.position_stddev, -1.0f);
+  EXPECT_EQ(message.axis_stddev, -1.0f);
   EXPECT_EQ(message.confidence, -1.0f);
   EXPECT_EQ(message.rival, Primitive::NO_RIVAL);
   EXPECT_EQ(message.rms_error, -1.0f);
   EXPECT_EQ(message.coverage, -1.0f);
   EXPECT_EQ(message.truncated, Primitive::TRUNCATED_UNKNOWN);
+  EXPECT_EQ(message.unseen_ends, Primitive::ENDS_UNKNOWN);
+  EXPECT_EQ(message.face_at_minus_z, Primitive::NO_FACE);
 }
 
 TEST(Messages, PointTheirZAxisAlongTheShape) {
@@ -125,11 +133,16 @@ TEST(Messages, GiveBackTheDetections) {
   EXPECT_EQ(back.items[1].coverage, 0.5f);
   EXPECT_EQ(back.items[1].radius_stddev, 0.001f);
   EXPECT_EQ(back.items[1].half_angle_stddev, 0.002f);
+  EXPECT_EQ(back.items[1].position_stddev, 0.003f);
+  EXPECT_EQ(back.items[1].axis_stddev, 0.004f);
   EXPECT_EQ(back.items[1].covariance, detections.items[1].covariance);
   EXPECT_EQ(back.items[1].rival, Kind::cylinder);
   EXPECT_FALSE(back.items[0].rival);
   EXPECT_TRUE(back.items[1].concave);
   EXPECT_EQ(back.items[1].truncated, kTruncatedByDepth | kTruncatedByImage);
+  EXPECT_EQ(back.items[1].extent.unseen_ends, kEndAtPlusZ);
+  EXPECT_EQ(back.items[1].extent.face_at_minus_z, 7);
+  EXPECT_EQ(back.items[1].extent.face_at_plus_z, kNoFace);
   EXPECT_EQ(back.items[1].track_id, 5u);
 }
 

@@ -8,6 +8,7 @@
 #include <ros/ros.h>
 #include <unistd.h>
 
+#include <bitset>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -95,7 +96,13 @@ void expectSame(const nlohmann::json& reported, const Primitive& primitive) {
     expectFloat(reported.at("half_angle"), primitive.half_angle);
     expectFloat(extent.at("radius_large"), primitive.radius);
   }
-  if (extent.contains("length")) expectFloat(extent.at("length"), primitive.size[2]);
+  if (extent.contains("length")) {
+    expectFloat(extent.at("length"), primitive.size[2]);
+    EXPECT_EQ(extent.at("unseen_ends").size(), std::bitset<2>(primitive.unseen_ends).count());
+    EXPECT_EQ(extent.at("unseen_ends").is_null(), primitive.unseen_ends == Primitive::ENDS_UNKNOWN);
+    const nlohmann::json& face = extent.at("face_at_minus_z");
+    EXPECT_EQ(face.is_null() ? Primitive::NO_FACE : face.get<int>(), primitive.face_at_minus_z);
+  }
 }
 
 class SameResult : public testing::Test {

@@ -124,6 +124,9 @@ class SimulatedCamera(unittest.TestCase):
                 self.assertEqual(p.truncated & Primitive.TRUNCATED_UNKNOWN, 0)  # it is a pinhole camera
                 self.assertEqual(p.radius_stddev > 0.0, p.type != Primitive.PLANE)
                 self.assertEqual(p.half_angle_stddev > 0.0, p.type == Primitive.CONE)
+                self.assertTrue(0.0 < p.position_stddev < 1.0, p.position_stddev)
+                self.assertEqual(p.axis_stddev > 0.0, p.type != Primitive.SPHERE)
+                self.assertEqual(p.unseen_ends & Primitive.ENDS_UNKNOWN, 0)
                 self.check_covariance(p)
 
     def check_covariance(self, p):
