@@ -153,7 +153,8 @@ TEST(NeighborNormals, ThatAreMeasuredAnewPointTowardsTheSensorAgain) {
   Random random(33);
   std::vector<Vec3> points;
   for (int i = 0; i < 20000; ++i) {
-    points.emplace_back(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1.0 + 0.01 * random.gaussian());
+    const double x = random.uniform(-0.5, 0.5), y = random.uniform(-0.5, 0.5);
+    points.emplace_back(x, y, 1.0 + 0.01 * random.gaussian());
   }
   const Cloud cloud = test::listOf(points);
   Samples samples;

@@ -109,7 +109,8 @@ TEST(SeenLengths, InListsGoToTheTableAndNoFarther) {
       ASSERT_EQ(lengths.size(), 2u);
       // Where samples end, 8 to 12 and 20 to 30 mm are missing; what the table gives them reaches 3 deviations farther.
       EXPECT_NEAR(lengths.at(Kind::cylinder), 0.2, 0.002 + noise);
-      EXPECT_GT(lengths.at(Kind::cone), 0.154) << "tips of cones are cut";
+      // Of 60 with 4 mm two are 8 and 10 mm short.
+      EXPECT_GT(lengths.at(Kind::cone), 0.157 - 2.0 * noise) << "tips of cones are cut";
       EXPECT_LT(lengths.at(Kind::cone), 0.161 + 0.75 * noise);
     }
   }

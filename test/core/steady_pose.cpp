@@ -38,8 +38,8 @@ List<Vec2> noisyBorder(double width, double height, bool round, double noise, Ra
     const double turn = 2.0 * M_PI * k / 400.0;
     Vec2 p(std::cos(turn), std::sin(turn));
     if (!round) p /= p.cwiseAbs().maxCoeff();
-    points.push_back(p.cwiseProduct(Vec2(0.5 * width, 0.5 * height)) +
-                     noise * Vec2(random.gaussian(), random.gaussian()));
+    const double right = noise * random.gaussian(), up = noise * random.gaussian();
+    points.push_back(p.cwiseProduct(Vec2(0.5 * width, 0.5 * height)) + Vec2(right, up));
   }
   return points;
 }

@@ -24,6 +24,7 @@
 #include "ros/frame_pipeline.h"
 #include "ros/messages.h"
 #include "ros/synthetic_messages.h"
+#include "ros/tracking.h"
 #include "synthetic/frame.h"
 #include "synthetic/poses.h"
 #include "synthetic/tabletop.h"
@@ -119,8 +120,11 @@ TEST_F(BagJobs, FindInEachCloudWhatThePipelineFinds) {
   const std::vector<Detections> found = foundIn(jobOf({cloudBag("clouds.bag", 0, 3)}));
   ASSERT_EQ(found.size(), 3u);
   FramePipeline pipeline{Params()};
+  PrimitiveTracker tracker;
   for (int k = 0; k < 3; ++k) {
-    const Detections alone = fromMessage(pipeline.process(*depthCloud(headerAt(k), depthAt(k), kCamera)));
+    PrimitiveArray& message = pipeline.process(*depthCloud(headerAt(k), depthAt(k), kCamera));
+    tracker.update(Params().track_patience, message);
+    const Detections alone = fromMessage(message);
     EXPECT_GT(alone.items.size(), 3u);
     expectSame(found[static_cast<std::size_t>(k)], alone);
   }
