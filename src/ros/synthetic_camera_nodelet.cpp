@@ -9,6 +9,8 @@
 
 #include "messages.h"
 #include "parameters.h"
+#include "synthetic/poses.h"
+#include "synthetic/scene_text.h"
 #include "synthetic/sensors.h"
 #include "synthetic/tabletop.h"
 #include "synthetic_messages.h"
@@ -23,6 +25,10 @@ const std::vector<ParamInfo>& settingsTable() {
       {"rate", "", 30.0, 0.1, 200.0, {}, "Hz", "frames a second"},
       {"speed", "", 1.0, 0.0, 10.0, {}, "", "how fast the camera moves; 0 = it stands still"},
       {"seed", "", 1, 0, 2147483647, {}, "", "which tabletop, and its noise"},
+      {"objects", "", Text(), 0, 0, {}, "", "what is on the table; empty: that of the seed"},
+      {"eye", "", Text(), 0, 0, {}, "", "X Y Z, where the camera stands (m); empty: it swings around the table"},
+      {"look_at", "", Text("0 0 0.75"), 0, 0, {}, "", "X Y Z, what it looks at from there (m)"},
+      {"roll", "", 0.0, -180.0, 180.0, {}, "deg", "by which it is turned about its view there; 180: upside down"},
       {"sensor", "", synthetic::sensorNames().front(), 0, 0, synthetic::sensorNames(), "", "what kind of depth camera"},
       {"noise_scale", "", 1.0, 0.0, 10.0, {}, "", "times the sensor's depth noise; 0 = exact depths"},
       {"width", "", 640, 16, 2048, {}, "px", "of the image; the field of view stays the same"},
@@ -53,7 +59,7 @@ void SyntheticCameraNodelet::onInit() {
 
 void SyntheticCameraNodelet::start() {
   settings_ = loadSettings();
-  world_ = synthetic::tabletop(settings_.seed);
+  world_ = settings_.objects.empty() ? synthetic::tabletop(settings_.seed) : synthetic::tableWith(settings_.objects);
   broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
   ros::NodeHandle& handle = getNodeHandle();
   points_ = handle.advertise<sensor_msgs::PointCloud2>("depth/points", 2);
@@ -70,6 +76,10 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
   settings.speed = std::get<double>(values.at("speed"));
   settings.replay = static_cast<std::size_t>(std::get<int>(values.at("replay")));
   settings.seed = static_cast<std::uint64_t>(std::get<int>(values.at("seed")));
+  settings.objects = std::get<Text>(values.at("objects"));
+  const Text& eye = std::get<Text>(values.at("eye"));
+  const double roll = std::get<double>(values.at("roll")) * synthetic::kDegree;
+  if (!eye.empty()) settings.pose = synthetic::poseOf(eye, std::get<Text>(values.at("look_at")), roll);
   settings.frame_id = std::get<Text>(values.at("frame_id"));
   settings.world_frame = std::get<Text>(values.at("world_frame"));
   settings.depth_encoding = std::get<Text>(values.at("depth_encoding"));
@@ -95,7 +105,7 @@ double SyntheticCameraNodelet::secondsOfFrame() const {
 }
 
 void SyntheticCameraNodelet::onTimer() try {
-  const Eigen::Isometry3d world_from_camera = synthetic::cameraPose(secondsOfFrame());
+  const Eigen::Isometry3d world_from_camera = settings_.pose.value_or(synthetic::cameraPose(secondsOfFrame()));
   std_msgs::Header header;
   header.stamp = ros::Time::now();
   header.frame_id = settings_.frame_id;

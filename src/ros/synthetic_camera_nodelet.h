@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The nodelet primitect/synthetic_camera: a depth camera moving around a tabletop, with the truth.
+// The nodelet primitect/synthetic_camera: a depth camera around a tabletop, with the truth.
 #pragma once
 
 #include <nodelet/nodelet.h>
@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ class SyntheticCameraNodelet : public nodelet::Nodelet {
     double rate, speed;
     std::uint64_t seed;
     std::size_t replay;
-    std::string frame_id, world_frame, depth_encoding;
+    std::string objects, frame_id, world_frame, depth_encoding;
+    std::optional<Eigen::Isometry3d> pose;  ///< world_from_camera where it stands still
     synthetic::PinholeCamera camera;
     synthetic::FrameParams frame;
   };

@@ -38,12 +38,13 @@ inline bool apart(const Object& a, const Place& place_a, const Object& b, const 
   return true;
 }
 
-/// world_from_camera (optical frame) of a camera without roll.
+/// world_from_camera (optical frame) of a camera without roll; straight up or down with -y of the world to its right.
 inline Eigen::Isometry3d lookAt(const Vec3& eye, const Vec3& target) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = eye;
   pose.linear().col(2) = (target - eye).normalized();
-  pose.linear().col(0) = pose.linear().col(2).cross(Vec3::UnitZ()).normalized();
+  const Vec3 right = pose.linear().col(2).cross(Vec3::UnitZ());
+  pose.linear().col(0) = right.norm() > 1e-9 ? right.normalized() : Vec3(-Vec3::UnitY());
   pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
   return pose;
 }

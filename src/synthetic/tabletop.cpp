@@ -50,17 +50,6 @@ std::optional<std::vector<Place>> drawPlaces(const std::vector<Object>& objects,
   return places;
 }
 
-World emptyRoom() {
-  World world;
-  const Eigen::Isometry3d wall_pose(Eigen::Translation3d(2.4, 0.0, 1.5) * Eigen::AngleAxisd(-kPi / 2, Vec3::UnitY()));
-  world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
-  world.add("wall", Sheet{1.5, 6.0}, wall_pose);
-  constexpr double kThickness = 0.03;
-  world.add("table", Box{0.65, 0.75, kThickness / 2},
-            Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
-  return world;
-}
-
 constexpr double kYawSwing = 20.0 * kDegree;
 constexpr double kPitch = 38.0 * kDegree;
 constexpr double kPitchSwing = 2.0 * kDegree;
@@ -121,6 +110,17 @@ bool allVisible(const World& world, std::size_t first_body) {
 }
 
 }  // namespace
+
+World emptyRoom() {
+  World world;
+  const Eigen::Isometry3d wall_pose(Eigen::Translation3d(2.4, 0.0, 1.5) * Eigen::AngleAxisd(-kPi / 2, Vec3::UnitY()));
+  world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
+  world.add("wall", Sheet{1.5, 6.0}, wall_pose);
+  constexpr double kThickness = 0.03;
+  world.add("table", Box{0.65, 0.75, kThickness / 2},
+            Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
+  return world;
+}
 
 World tabletop(std::uint64_t seed) {
   constexpr int kTries = 10000;

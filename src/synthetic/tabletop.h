@@ -13,7 +13,10 @@ namespace primitect::synthetic {
 /// The world frame: x from the camera towards the wall, z up, the floor at z = 0, the table's centre at x = y = 0.
 constexpr double kTableHeight = 0.75;
 
-/// Floor, wall, table, and on the table 2-3 spheres, 2-3 cylinders (standing or lying), 1-2 cones (half angle 10 to
+/// Floor, wall and table, 1.3 m along x and 1.5 m along y.
+World emptyRoom();
+
+/// The same, and on the table 2-3 spheres, 2-3 cylinders (standing or lying), 1-2 cones (half angle 10 to
 /// 35 deg, pointed or cut off, standing or lying) and 1-2 boxes, radii 25 to 90 mm. Objects stand on the table, do not
 /// touch each other, and from every cameraPose() each is in view as a whole, the curved face of each curved one
 /// with more than 900 pixels of the default PinholeCamera. Floor and wall are beyond 2 m from there.
