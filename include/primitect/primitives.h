@@ -92,9 +92,9 @@ struct Extent {
   double radius = 0.0;        ///< sphere, cylinder; cone: at the wide end of the observed part (m)
   double radius_small = 0.0;  ///< cone: at the narrow end of the observed part (m)
   std::vector<Vec3> hull;     ///< plane: convex outline, counter-clockwise seen from the sensor (m)
-  /// Cylinder and cone: the ends along z of which the image does not show that the shape ends there, as it is cut off
-  /// (Detection::truncated) or seen along its axis: it may go on. Bits of End; other kinds: 0.
-  std::uint8_t unseen_ends = kEndsUnknown;
+  /// Cylinder and cone: the ends along z where it may go on: it is cut off there (Detection::truncated) or seen along
+  /// its axis, and ends on no face and in no tip. Bits of End; other kinds: 0.
+  std::uint8_t unseen_ends = 0;
   /// Cylinder and cone: the plane on which the axis ends at -z and +z, as the table that it stands on or its lid; index
   /// in Detections::items, kNoFace: none.
   std::int32_t face_at_minus_z = kNoFace, face_at_plus_z = kNoFace;

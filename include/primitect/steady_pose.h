@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses of what looks the same in several: those that go on as in the frame before.
+// Of poses in which a thing looks the same, the one nearest to that of the last frame.
 #pragma once
 
 #include "primitect/primitives.h"
@@ -16,7 +16,7 @@ Vec3 waveringDirection(Kind kind, const Extent& extent);
 ///
 /// A cylinder is turned round where it points the other way. Of a plane x is the nearest of the directions of its
 /// longer side, and where the sides differ by a quarter at most also of the shorter one. Around what has no sides, as a
-/// round lid (the rectangle halfway between them is at most a quarter larger), x stays. Origin and size are those of
+/// round lid (no rectangle is more than a quarter larger than the smallest one), x stays. Origin and size are those of
 /// the rectangle along x.
 void turnAsBefore(Kind kind, const Vec3& before, Extent& extent);
 

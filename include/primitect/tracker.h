@@ -30,7 +30,7 @@ struct Track {
   std::uint32_t age = 0;  ///< frames since the first one with it
   /// Of a cylinder or a plane that was in a frame before: where its axis or its x pointed then, for turnAsBefore()
   /// (steady_pose.h); unit. Else zero.
-  Vec3 before = Vec3::Zero();
+  Vec3 direction_before = Vec3::Zero();
 };
 
 /// Finds the things of the last frames again: the nearest ones of the same kind, position, direction and size, each at
@@ -46,12 +46,12 @@ class Tracker {
   /// The track of each sighting of the next frame, which was taken at this time (s). Valid until the next call.
   const std::vector<Track>& update(const std::vector<Sighting>& sightings, double seconds);
 
-  /// Where the axis of a cylinder or x of a plane of the last frame points, when it was turned as before; without this
-  /// as it was seen, or round.
+  /// Where the axis of a cylinder or x of a plane of the last update() points, when it was turned as before; without
+  /// this as it was seen, or round. No effect once all is forgotten.
   void turned(std::size_t sighting, const Vec3& direction);
 
   /// Forgets all things; numbers go on.
-  void forget() { things_.clear(); }
+  void forget();
 
   /// Forgets all things; numbers begin with 1 again.
   void startAnew();

@@ -97,6 +97,7 @@ Extent extentAlong(const Cylinder& cylinder, const SeenPoints& inliers, Ends end
   extent.rotation = frameTowardsSeenSide(cylinder.point, cylinder.axis, some);
   extent.size.z() = range.high - range.low;
   extent.radius = cylinder.radius;
+  extent.unseen_ends = kEndsUnknown;
   return extent;
 }
 
@@ -111,6 +112,7 @@ Extent extentAlong(const Cone& cone, const SeenPoints& inliers, Ends ends) {
   extent.size.z() = range.high - range.low;
   extent.radius = range.high * std::tan(cone.half_angle);
   extent.radius_small = range.low * std::tan(cone.half_angle);
+  extent.unseen_ends = kEndsUnknown;
   return extent;
 }
 

@@ -63,8 +63,11 @@ void nameEndFaces(const PointNoise& sigma, std::vector<Detection>& items) {
   for (Detection& item : items) {
     if (!hasAxis(kindOf(item.shape))) continue;
     const double reach = kReachOfFaces * sigma(item.extent.origin);
-    item.extent.face_at_minus_z = faceOn(-1.0, reach, item.extent, items);
-    item.extent.face_at_plus_z = faceOn(1.0, reach, item.extent, items);
+    Extent& extent = item.extent;
+    extent.face_at_minus_z = faceOn(-1.0, reach, extent, items);
+    extent.face_at_plus_z = faceOn(1.0, reach, extent, items);
+    if (extent.face_at_minus_z != kNoFace) extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
+    if (extent.face_at_plus_z != kNoFace) extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtPlusZ);
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace primitect {
 
-/// Standard deviations of the noise that make the reach of a face: three make an inlier, and the last hundredth is
-/// added to them.
+/// The reach of a face, in standard deviations of the noise: points within three count as its own, and noise has
+/// scattered some of them farther.
 constexpr double kReachOfFaces = 5.0;
 
 /// Where the two meet, noise gives points of the one to the other, and the last points before an edge are lost: the
@@ -21,8 +21,8 @@ constexpr double kReachOfFaces = 5.0;
 /// a face has no one height.
 void endOn(const Detection& plane, double reach, const Shape& shape, Extent& extent);
 
-/// Tells all cylinders and cones the planes among the others that endOn() would move their ends to, of several the
-/// nearest one. sigma: m, noise of the distance to a surface.
+/// Names the planes among the items on which cylinders and cones end, those that endOn() would move their ends to, of
+/// several the nearest one. An end on a face counts as seen. sigma: m, noise of the distance to a surface.
 void nameEndFaces(const PointNoise& sigma, std::vector<Detection>& items);
 
 }  // namespace primitect

@@ -23,20 +23,15 @@ bool pointsUp(const Vec3& axis) {
 Extent measureExtent(const Shape& shape, const SeenPoints& inliers, const SeenPoints& outermost,
                      std::vector<Vec3> outline) {
   if (inliers.empty()) return {};
-  Extent extent;
-  if (const Plane* plane = std::get_if<Plane>(&shape)) {
-    extent = outlineOf(*plane, inliers, outermost, std::move(outline));
-    extent.unseen_ends = 0;
-    return extent;
-  }
+  if (const Plane* plane = std::get_if<Plane>(&shape)) return outlineOf(*plane, inliers, outermost, std::move(outline));
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
     return extentAlong(*cylinder, inliers, Ends::without_stragglers);
   }
   if (const Cone* cone = std::get_if<Cone>(&shape)) return extentAlong(*cone, inliers, Ends::without_stragglers);
   const Sphere& sphere = std::get<Sphere>(shape);
+  Extent extent;
   extent.origin = sphere.center;
   extent.radius = sphere.radius;
-  extent.unseen_ends = 0;
   return extent;
 }
 

@@ -213,6 +213,10 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));
   endAtFacesOrTip(detection);
   detection.extent.unseen_ends = truncated.unseen_ends;
+  // Where it was seen to its tip it does not go on.
+  if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
+    detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
+  }
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));

@@ -50,7 +50,7 @@ class Places {
     return static_cast<std::size_t>(mixed);
   }
 
-  std::vector<std::uint32_t> first_in_slot_;
+  List<std::uint32_t> first_in_slot_;
 };
 
 }  // namespace

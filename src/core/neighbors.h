@@ -14,7 +14,7 @@ namespace primitect {
 class NeighborSearch {
  public:
   /// Builds a tree of the valid points. Of those that lie exactly in one place, as many do where coordinates are rounded
-  /// or an image was enlarged, the first one: they tell no direction, and a tree cannot part them.
+  /// or an image was enlarged, the first one: the others tell nothing of the surface.
   explicit NeighborSearch(const Cloud& cloud);
   ~NeighborSearch();
 

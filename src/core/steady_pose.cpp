@@ -26,11 +26,13 @@ void turnRound(Extent& extent) {
 
 Vec2 quarterTurn(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
+bool areAlike(const Vec2& size) { return size.x() <= kAlike * size.y() && size.y() <= kAlike * size.x(); }
+
 /// Of the rectangle around a plane's hull that its extent tells; all in the frame of that.
 Rectangle sidesNear(const Vec2& before, const Vec2& size) {
   Rectangle sides = {Vec2::UnitX(), Vec2::Zero(), size};
-  const bool alike = size.x() <= kAlike * size.y() && size.y() <= kAlike * size.x();
-  if (alike && std::abs(before.y()) > std::abs(before.x())) sides = {Vec2::UnitY(), Vec2::Zero(), size.reverse()};
+  if (areAlike(size) && std::abs(before.y()) > std::abs(before.x()))
+    sides = {Vec2::UnitY(), Vec2::Zero(), size.reverse()};
   if (sides.x.dot(before) < 0.0) sides.x = -sides.x;
   return sides;
 }
@@ -43,11 +45,16 @@ Rectangle aroundHull(const Vec2& x, const Extent& extent) {
   return rectangleAlong(x, extent.hull.size(), corner);
 }
 
-/// What has no sides: the rectangle halfway between them is not much larger.
+/// What has no sides: no rectangle between them is much larger.
 bool isRound(const Extent& extent) {
-  if (extent.hull.empty()) return false;
-  const Rectangle between = aroundHull(Vec2(1.0, 1.0).normalized(), extent);
-  return between.size.prod() <= kAlike * extent.size.head<2>().prod();
+  constexpr double kEighth = M_PI / 8.0;
+  const Vec2 size = extent.size.head<2>();
+  if (extent.hull.empty() || !areAlike(size)) return false;
+  for (const double turn : {kEighth, 2.0 * kEighth, 3.0 * kEighth}) {
+    const Rectangle between = aroundHull({std::cos(turn), std::sin(turn)}, extent);
+    if (between.size.prod() > kAlike * size.prod()) return false;
+  }
+  return true;
 }
 
 /// With x near the one before, a unit vector in the plane, in the frame of the extent.

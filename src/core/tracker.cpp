@@ -160,17 +160,24 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     thing.seen = seconds;
     track = thing.track;
     const Kind kind = thing.last.kind;
-    if (kind == Kind::cylinder || kind == Kind::plane) track.before = thing.way;
+    if (kind == Kind::cylinder || kind == Kind::plane) track.direction_before = thing.way;
     const Vec3 way = wayOf(thing.last);
     thing.way = way.dot(thing.way) < 0.0 ? Vec3(-way) : way;
   }
   return tracks_;
 }
 
-void Tracker::turned(std::size_t sighting, const Vec3& direction) { things_[thing_of_[sighting]].way = direction; }
+void Tracker::turned(std::size_t sighting, const Vec3& direction) {
+  if (sighting < thing_of_.size()) things_[thing_of_[sighting]].way = direction;
+}
+
+void Tracker::forget() {
+  things_.clear();
+  thing_of_.clear();
+}
 
 void Tracker::startAnew() {
-  things_.clear();
+  forget();
   next_id_ = 1;
 }
 

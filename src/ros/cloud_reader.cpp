@@ -44,8 +44,8 @@ struct Triple {
   std::array<const char*, 3> names;
   const char* expected;
 };
-const Triple kPosition = {{"x", "y", "z"}, "x, y, z as float32 or float64"};
-const Triple kNormal = {{"normal_x", "normal_y", "normal_z"}, "normal_x, normal_y, normal_z, or none of them"};
+constexpr Triple kPosition = {{"x", "y", "z"}, "x, y, z as float32 or float64"};
+constexpr Triple kNormal = {{"normal_x", "normal_y", "normal_z"}, "normal_x, normal_y, normal_z, or none of them"};
 
 /// Fills the slot, or says what is wrong with the field.
 std::string checkField(const PointCloud2& message, const char* name, const char* expected, Slot& slot) {

@@ -61,8 +61,9 @@ PrimitiveArray& CloudSequence::detect(const sensor_msgs::PointCloud2& cloud, boo
 void CloudSequence::toTargetFrame(const std::string& cloud_frame, PrimitiveArray& message) {
   frame_problem_.clear();
   // tf2 refuses frames with a slash before them.
-  const std::string wanted = frameName(pipeline_.params().target_frame);
-  const std::string& target = wanted.empty() ? cloud_frame : wanted;
+  const std::string& said = pipeline_.params().target_frame;
+  wanted_frame_.assign(said, frameBegin(said), std::string::npos);
+  const std::string& target = wanted_frame_.empty() ? cloud_frame : wanted_frame_;
   const std::string& source = message.header.frame_id;
   Eigen::Isometry3d target_from_source = Eigen::Isometry3d::Identity();
   const bool something_to_move = message.status == PrimitiveArray::OK;
@@ -70,7 +71,7 @@ void CloudSequence::toTargetFrame(const std::string& cloud_frame, PrimitiveArray
     try {
       target_from_source = lookup_(target, source, message.header.stamp);
     } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
-      const std::string name = wanted.empty() ? "the cloud's frame '" : "target_frame '";
+      const std::string name = wanted_frame_.empty() ? "the cloud's frame '" : "target_frame '";
       frame_problem_ = "no transform from '" + source + "' to " + name + target + "': " + error.what();
       message.primitives.clear();
       message.status = PrimitiveArray::NO_TRANSFORM;

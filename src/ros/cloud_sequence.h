@@ -65,6 +65,7 @@ class CloudSequence {
   ros::Time last_stamp_;
   std_msgs::Header sensor_header_;
   std::string frame_problem_;
+  std::string wanted_frame_;  ///< target_frame as tf2 knows it; keeps its memory
   Eigen::Isometry3d message_from_sensor_ = Eigen::Isometry3d::Identity();
 };
 

@@ -20,8 +20,9 @@ namespace primitect::ros_layer {
 /// So often in a row, as transforms may come more seldom than clouds; what is not there then is silent.
 constexpr int kWaitsInVain = 3;
 
-/// The name of a frame as tf2 knows it: without the slash that tf put in front of it.
-inline std::string frameName(const std::string& frame) { return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame; }
+/// Where the name of a frame begins as tf2 knows it: behind the slash that tf put in front of it.
+inline std::size_t frameBegin(const std::string& frame) { return frame.rfind('/', 0) == 0 ? 1 : 0; }
+inline std::string frameName(const std::string& frame) { return frame.substr(frameBegin(frame)); }
 
 /// With the rotation that the quaternion means, whatever its length: not all publishers normalise theirs, and tf2 takes
 /// those that are a little off. Throws std::invalid_argument where it has no direction, or where the place is no

@@ -136,6 +136,7 @@ struct Describe {
     extent.origin = start + seen.axis * (0.5 * (seen.axis_begin + seen.axis_end));
     extent.rotation = frameAlong(seen.axis);
     extent.size = {0.0, 0.0, seen.axis_end - seen.axis_begin};
+    extent.unseen_ends = kEndsUnknown;
   }
 };
 

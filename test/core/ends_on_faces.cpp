@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/frame_around.h"
 #include "test/support/exact_shapes.h"
@@ -169,7 +170,8 @@ Detection detectionOf(const Can& can) {
   return item;
 }
 
-double sigmaOfReach(const Vec3&) { return kReach / kReachOfFaces; }
+/// Of which five make the reach.
+double sigmaOfReach(const Vec3&) { return kReach / 5.0; }
 
 TEST(EndFaces, OfACanAreTheTableAndItsLid) {
   Detection lid = table();
@@ -178,13 +180,27 @@ TEST(EndFaces, OfACanAreTheTableAndItsLid) {
   for (Vec3& corner : lid.extent.hull) corner = lid.extent.origin + 0.1 * (corner - kMiddle);
   Detection below = lid;  // as near as a face is looked for, but farther than the lid
   below.shape = Plane{kMiddle + 0.195 * kUp, kUp};
-  std::vector<Detection> items = {below, detectionOf(Can()), lid, table()};
-  nameEndFaces(sigmaOfReach, items);
-  EXPECT_EQ(items[1].extent.face_at_minus_z, 3);
-  EXPECT_EQ(items[1].extent.face_at_plus_z, 2);
-  for (const std::size_t k : {0, 2, 3}) {
-    EXPECT_EQ(items[k].extent.face_at_minus_z, kNoFace) << k;
-    EXPECT_EQ(items[k].extent.face_at_plus_z, kNoFace) << k;
+  for (const bool lid_first : {false, true}) {
+    std::vector<Detection> items = {below, detectionOf(Can()), lid, table()};
+    if (lid_first) std::swap(items[0], items[2]);
+    nameEndFaces(sigmaOfReach, items);
+    EXPECT_EQ(items[1].extent.face_at_minus_z, 3);
+    EXPECT_EQ(items[1].extent.face_at_plus_z, lid_first ? 0 : 2);
+    for (const std::size_t k : {0, 2, 3}) {
+      EXPECT_EQ(items[k].extent.face_at_minus_z, kNoFace) << k;
+      EXPECT_EQ(items[k].extent.face_at_plus_z, kNoFace) << k;
+    }
+  }
+}
+
+TEST(EndFaces, WereSeen) {
+  Detection can = detectionOf(Can());
+  const int both = kEndAtMinusZ | kEndAtPlusZ;
+  for (const int unseen : {both, int{kEndsUnknown}}) {
+    can.extent.unseen_ends = static_cast<std::uint8_t>(unseen);
+    std::vector<Detection> items = {can, table()};
+    nameEndFaces(sigmaOfReach, items);
+    EXPECT_EQ(items[0].extent.unseen_ends, unseen == both ? kEndAtPlusZ : kEndsUnknown);
   }
 }
 

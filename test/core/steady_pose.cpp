@@ -12,9 +12,12 @@
 
 #include "core/hull.h"
 #include "core/random.h"
+#include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
+
+using test::angle;
 
 /// Of the points of a plane, in its coordinates, as it is measured; the plane lies somewhere.
 Extent extentAround(const List<Vec2>& points) {
@@ -48,8 +51,6 @@ List<Vec2> noisyBorder(double width, double height, bool round, double noise, Ra
 struct Turns {
   double measured = 0.0, steady = 0.0;
 };
-
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 Turns turnsOf(double width, double height, bool round) {
   Random random(5);
@@ -116,6 +117,44 @@ TEST(SteadyPose, FollowsAPlaneThatTurns) {
     turnAsBefore(Kind::plane, before, extent);
     EXPECT_LT(angle(extent.rotation.col(0), std::cos(turn) > 0.0 ? longer : Vec3(-longer)), 1e-6) << degrees;
     EXPECT_NEAR(extent.size.x(), 0.1, 1e-9) << degrees;
+  }
+}
+
+Extent rectangle(double width, double height) {
+  return extentAround({{0, 0}, {width, 0}, {width, height}, {0, height}});
+}
+
+/// The angle (deg) by which x is turned from the longer side where it was along the shorter one.
+double turnedFromLonger(Extent extent) {
+  const Vec3 longer = extent.rotation.col(0), shorter = extent.rotation.col(1);
+  turnAsBefore(Kind::plane, shorter, extent);
+  return angle(longer, extent.rotation.col(0)) * 180.0 / M_PI;
+}
+
+TEST(SteadyPose, StaysAtTheShorterSideWhereTheOtherIsLongerByAQuarterAtMost) {
+  EXPECT_NEAR(turnedFromLonger(rectangle(0.12, 0.1)), 90.0, 1e-6);
+  EXPECT_NEAR(turnedFromLonger(rectangle(0.13, 0.1)), 0.0, 1e-6);
+  Random random(7);
+  EXPECT_NEAR(turnedFromLonger(extentAround(noisyBorder(0.12, 0.1, true, 0.0, random))), 90.0, 1e-6);
+  EXPECT_NEAR(turnedFromLonger(extentAround(noisyBorder(0.13, 0.1, true, 0.0, random))), 0.0, 1e-6) << "an oval";
+}
+
+TEST(SteadyPose, TakesNoSquareForRoundInWhateverDirectionItWas) {
+  for (const double degrees : {10.0, 22.5, 40.0}) {
+    Extent extent = rectangle(0.1, 0.1);
+    const Vec3 x = extent.rotation.col(0);
+    turnAsBefore(Kind::plane, Eigen::AngleAxisd(degrees * M_PI / 180.0, extent.rotation.col(2)) * x, extent);
+    EXPECT_LT(angle(extent.rotation.col(0), x), 1e-6) << degrees;
+  }
+}
+
+TEST(SteadyPose, AsksNoDirectionThatIsFarFromThePlane) {
+  const Extent square = rectangle(0.1, 0.1);
+  const Vec3 x = square.rotation.col(0), y = square.rotation.col(1), z = square.rotation.col(2);
+  for (const double degrees : {50.0, 70.0}) {
+    Extent extent = square;
+    turnAsBefore(Kind::plane, std::cos(degrees * M_PI / 180.0) * y + std::sin(degrees * M_PI / 180.0) * z, extent);
+    EXPECT_LT(angle(extent.rotation.col(0), degrees < 60.0 ? y : x), 1e-6) << degrees;
   }
 }
 

@@ -16,9 +16,12 @@
 #include "primitect/transforms.h"
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
+#include "test/support/exact_shapes.h"
 
 namespace primitect {
 namespace {
+
+using test::angle;
 
 constexpr int kFrames = 12;
 constexpr double kApart = 0.2;  // s: the camera moves by some centimetres
@@ -90,8 +93,6 @@ TEST(Tracks, OfThingsOnATableKeepTheirNumbers) {
   EXPECT_LE(numbers, things + things / 10);
 }
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 /// Of the planes that were in a frame before: all, and those whose x turned from the last one.
 struct Turned {
   int planes = 0, as_measured = 0, as_before = 0;
@@ -109,13 +110,13 @@ Turned turnedOn(std::uint64_t seed) {
       const Track& track = table.tracks()[k];
       if (kindOf(item.shape) != Kind::plane) continue;
       const Vec3 x = item.extent.rotation.col(0);
-      turnAsBefore(Kind::plane, track.before, item.extent);
+      turnAsBefore(Kind::plane, track.direction_before, item.extent);
       const Vec3 steady = waveringDirection(Kind::plane, item.extent);
       table.turned(k, steady);
-      if (!track.before.isZero()) {
+      if (!track.direction_before.isZero()) {
         ++turned.planes;
         turned.as_measured += angle(measured.at(track.id), x) > kFar ? 1 : 0;
-        turned.as_before += angle(track.before, steady) > kFar ? 1 : 0;
+        turned.as_before += angle(track.direction_before, steady) > kFar ? 1 : 0;
       }
       measured[track.id] = x;
     }

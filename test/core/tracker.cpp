@@ -133,7 +133,7 @@ std::vector<Vec3> beforeIn(const std::vector<Sighting>& sightings) {
   Tracker tracker;
   std::vector<Vec3> before;
   for (std::size_t k = 0; k < sightings.size(); ++k) {
-    before.push_back(tracker.update({sightings[k]}, kFrame * static_cast<double>(k)).at(0).before);
+    before.push_back(tracker.update({sightings[k]}, kFrame * static_cast<double>(k)).at(0).direction_before);
   }
   return before;
 }
@@ -156,10 +156,10 @@ TEST(Tracker, GoesOnWithTheDirectionThatItIsTold) {
   lid.across = -Vec3::UnitY();
   // In another order.
   const std::vector<Track>& tracks = tracker.update({ball({1, 0, 1}), lid}, kFrame);
-  EXPECT_EQ(tracks[0].before, Vec3::Zero());
-  EXPECT_EQ(tracks[1].before, Vec3::UnitX());
+  EXPECT_EQ(tracks[0].direction_before, Vec3::Zero());
+  EXPECT_EQ(tracks[1].direction_before, Vec3::UnitX());
   tracker.turned(1, -Vec3::UnitX());
-  EXPECT_EQ(tracker.update({lid}, 2 * kFrame)[0].before, -Vec3::UnitX());
+  EXPECT_EQ(tracker.update({lid}, 2 * kFrame)[0].direction_before, -Vec3::UnitX());
 }
 
 TEST(Tracker, TellsNoneOfConesAndBallsButOfATubeThatWasACone) {

@@ -57,7 +57,7 @@ TEST_F(DetectNotes, AskWhereTheOrderOfIntrinsicsCannotBeRight) {
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
   EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,159.5,262.5,119.5"), 0);  // as in a camera's matrix
   EXPECT_NE(out.find("note: the principal point (262.5, 119.5) is far from the middle"), std::string::npos) << out;
-  EXPECT_EQ(run(path("image.png") + " --intrinsics 131.25,131.25,79.5,59.5"), 0);  // of half the size
+  EXPECT_EQ(run(path("image.png") + " --intrinsics 131.25,131.25,85,119.5"), 0);  // of an image of half the width
   EXPECT_NE(out.find("for 320 x 240 pixels?"), std::string::npos) << out;
 }
 

@@ -98,7 +98,7 @@ TEST(Messages, HoldUnknownWhereNoStageFilledAField) {
   EXPECT_EQ(message.rms_error, -1.0f);
   EXPECT_EQ(message.coverage, -1.0f);
   EXPECT_EQ(message.truncated, Primitive::TRUNCATED_UNKNOWN);
-  EXPECT_EQ(message.unseen_ends, Primitive::ENDS_UNKNOWN);
+  EXPECT_EQ(message.unseen_ends, 0) << "has no axis";
   EXPECT_EQ(message.face_at_minus_z, Primitive::NO_FACE);
 }
 

@@ -8,7 +8,6 @@
 #include <ros/ros.h>
 #include <unistd.h>
 
-#include <bitset>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -98,10 +97,13 @@ void expectSame(const nlohmann::json& reported, const Primitive& primitive) {
   }
   if (extent.contains("length")) {
     expectFloat(extent.at("length"), primitive.size[2]);
-    EXPECT_EQ(extent.at("unseen_ends").size(), std::bitset<2>(primitive.unseen_ends).count());
-    EXPECT_EQ(extent.at("unseen_ends").is_null(), primitive.unseen_ends == Primitive::ENDS_UNKNOWN);
-    const nlohmann::json& face = extent.at("face_at_minus_z");
-    EXPECT_EQ(face.is_null() ? Primitive::NO_FACE : face.get<int>(), primitive.face_at_minus_z);
+    nlohmann::json ends = nlohmann::json::array();
+    if (primitive.unseen_ends & Primitive::END_AT_MINUS_Z) ends.push_back("minus_z");
+    if (primitive.unseen_ends & Primitive::END_AT_PLUS_Z) ends.push_back("plus_z");
+    EXPECT_EQ(extent.at("unseen_ends"), primitive.unseen_ends == Primitive::ENDS_UNKNOWN ? nlohmann::json() : ends);
+    const auto face = [](int id) { return id == Primitive::NO_FACE ? nlohmann::json() : nlohmann::json(id); };
+    EXPECT_EQ(extent.at("face_at_minus_z"), face(primitive.face_at_minus_z));
+    EXPECT_EQ(extent.at("face_at_plus_z"), face(primitive.face_at_plus_z));
   }
 }
 

@@ -100,6 +100,21 @@ TEST(Tracks, KeepTheSidesOfAPlaneThatIsAsLongAsWide) {
   EXPECT_NEAR(third.primitives[0].pose.pose.position.y, 0.01, 1e-6);
 }
 
+TEST(Tracks, ExchangeTheEndsOfACylinderThatTheyTurnRound) {
+  PrimitiveTracker tracker;
+  PrimitiveArray first = messageAt(5.0, {primitiveAt(Primitive::CYLINDER, 0.5)});
+  PrimitiveArray next = messageAt(5.1, first.primitives);
+  Primitive& can = next.primitives[0];
+  can.pose.pose.orientation = quaternionMessage(Eigen::AngleAxisd(M_PI, Vec3::UnitX()).toRotationMatrix());
+  can.unseen_ends = Primitive::END_AT_MINUS_Z;
+  can.face_at_minus_z = Primitive::NO_FACE;
+  can.face_at_plus_z = 3;
+  for (PrimitiveArray* message : {&first, &next}) tracker.update(1.0, *message);
+  EXPECT_EQ(can.unseen_ends, Primitive::END_AT_PLUS_Z);
+  EXPECT_EQ(can.face_at_minus_z, 3);
+  EXPECT_EQ(can.face_at_plus_z, +Primitive::NO_FACE);
+}
+
 TEST(Tracks, EndWhereTheFrameIsAnotherOne) {
   PrimitiveTracker tracker;
   PrimitiveArray there = messageAt(5.0, {primitiveAt(Primitive::SPHERE, 0.0)});

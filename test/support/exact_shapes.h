@@ -156,6 +156,9 @@ inline std::vector<SurfacePoint> together(std::initializer_list<std::vector<Surf
 /// Angle between two lines (rad), signs ignored.
 inline double lineAngle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
 
+/// Angle between two directions (rad).
+inline double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
 /// Random patches: points of one side, as a camera would see them.
 inline std::vector<SurfacePoint> patchOf(const Plane& plane, int count, double reach, Random& random) {
   std::vector<SurfacePoint> points;
