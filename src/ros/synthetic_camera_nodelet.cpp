@@ -6,6 +6,7 @@
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
+#include <stdexcept>
 
 #include "messages.h"
 #include "parameters.h"
@@ -79,6 +80,7 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
   settings.objects = std::get<Text>(values.at("objects"));
   const Text& eye = std::get<Text>(values.at("eye"));
   const double roll = std::get<double>(values.at("roll")) * synthetic::kDegree;
+  if (eye.empty() && roll != 0.0) throw std::invalid_argument("roll is of a camera that stands still; set eye, too");
   if (!eye.empty()) settings.pose = synthetic::poseOf(eye, std::get<Text>(values.at("look_at")), roll);
   settings.frame_id = std::get<Text>(values.at("frame_id"));
   settings.world_frame = std::get<Text>(values.at("world_frame"));

@@ -92,6 +92,10 @@ Placed placed(const std::string& thing, const Told& told) {
     return true;
   };
   const auto size = [&told](std::size_t k) { return told.sizes[k]; };
+  constexpr double kLargest = 2.0;  // m
+  for (std::size_t k = told.kind == "cone" ? 1 : 0; k < told.sizes.size(); ++k) {
+    if (!(size(k) > 0.0 && size(k) <= kLargest)) refuse(thing, "sizes must be above 0 m, and at most 2 m");
+  }
   const Eigen::AngleAxisd upside_down(kPi, Vec3::UnitX()), lying(0.5 * kPi, Vec3::UnitY());
   if (told.lying && told.kind != "can" && told.kind != "cone") refuse(thing, "only a can or a cone can be lying");
   if (told.kind == "ball" && hasSizes(1)) return {Ball{size(0)}, raised(size(0))};

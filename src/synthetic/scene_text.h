@@ -13,7 +13,7 @@ namespace primitect::synthetic {
 /// How each thing is told; for help and errors.
 constexpr const char* kSceneGrammar =
     "none, or things separated by ';', each one of: ball R, can R HEIGHT, cone HALF_ANGLE HEIGHT, box LENGTH WIDTH "
-    "HEIGHT, then, in any order: at X Y [Z], turn ANGLE, lying (m, deg)";
+    "HEIGHT, then, in any order: at X Y [Z], turn ANGLE, lying (m, at most 2; deg)";
 
 /// The room and the table of tabletop() with these things on it, as kSceneGrammar says: "can 0.03 0.12 at 0 0.1; ball
 /// 0.05 at 0.1 0". They stand on the table, Z above it, or lie, along x before they are turned about the vertical.

@@ -107,7 +107,8 @@ TEST(SceneText, SaysWhatItDoesNotUnderstand) {
       {"ball 0.05 at 0 0 0 0", "'at' and what follows"},
       {"ball 0.05 turn nan", "'turn' and what follows"},
       {"ball 0.05 lying", "only a can or a cone"},
-      {"ball -0.05", "ball"},
+      {"ball -0.05", "'ball -0.05': sizes must be above 0 m"},
+      {"can 33 120", "sizes must be above 0 m, and at most 2 m"},
       {"cone 95 0.1", "cone"},
   };
   for (const auto& [text, why] : cases) {
