@@ -21,8 +21,11 @@ struct Sighting {
   Vec3 across = Vec3::Zero();      ///< plane: x of its extent; unit, or zero: unknown
 };
 
-/// Of the detection's own frame.
-Sighting sightingOf(const Detection& detection);
+/// In the frame of the extent.
+Sighting sightingOf(Kind kind, bool concave, const Extent& extent);
+inline Sighting sightingOf(const Detection& detection) {
+  return sightingOf(kindOf(detection.shape), detection.concave, detection.extent);
+}
 
 /// A thing of one frame after the other.
 struct Track {

@@ -27,8 +27,8 @@ struct LabelledImage {
 
 /// The points of one plane in an image, in square cells of some pixels. Faces are one where they touch over three
 /// cells, and where they may go on behind what hides them, or where nothing was measured; not where what lies behind
-/// the plane is seen between them, nor where the gap is wider than both together are long. What is less than three cells wide
-/// is no face, nor is the end of one.
+/// the plane is seen between them, nor where the gap is wider than both together are long. What is less than three
+/// cells wide is no face, nor is the end of one.
 class FacesApart {
  public:
   /// Of a plane whose points lie in this box: cells as small as takes little time.

@@ -80,15 +80,15 @@ Vec3 wayOf(const Sighting& sighting) { return sighting.kind == Kind::plane ? sig
 
 }  // namespace
 
-Sighting sightingOf(const Detection& detection) {
+Sighting sightingOf(Kind kind, bool concave, const Extent& extent) {
   Sighting sighting;
-  sighting.kind = kindOf(detection.shape);
-  sighting.concave = detection.concave;
-  sighting.origin = detection.extent.origin;
-  sighting.direction = detection.extent.rotation.col(2);
-  sighting.radius = detection.extent.radius;
-  sighting.reach = 0.5 * detection.extent.size.maxCoeff();
-  if (sighting.kind == Kind::plane) sighting.across = detection.extent.rotation.col(0);
+  sighting.kind = kind;
+  sighting.concave = concave;
+  sighting.origin = extent.origin;
+  sighting.direction = extent.rotation.col(2);
+  sighting.radius = extent.radius;
+  sighting.reach = 0.5 * extent.size.maxCoeff();
+  if (kind == Kind::plane) sighting.across = extent.rotation.col(0);
   return sighting;
 }
 

@@ -24,6 +24,10 @@ struct Pixel {
   int column, row;
 };
 
+std::size_t indexOf(const Pixel& pixel, const Cloud& image) {
+  return static_cast<std::size_t>(pixel.row) * image.width + static_cast<std::size_t>(pixel.column);
+}
+
 /// One walk along a row or column; what it passes is judged against the surface as it should be there.
 template <class T>
 class Walk {
@@ -63,9 +67,7 @@ class Walk {
   }
 
  private:
-  std::size_t index(const Pixel& pixel) const {
-    return static_cast<std::size_t>(pixel.row) * cloud_.width + static_cast<std::size_t>(pixel.column);
-  }
+  std::size_t index(const Pixel& pixel) const { return indexOf(pixel, cloud_); }
 
   /// Along the ray: on a slanted surface that is what the noise of the depth is, and not its distance.
   bool onSurface(std::size_t i) const { return std::abs(cloud_.z[i] - depth_) < kOnSurface * sigma_(cloud_.point(i)); }
@@ -229,8 +231,8 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
       const std::uint8_t end = Walk(cloud_, rays_, range_, sigma_, on).from(start, step);
       ++counts[end];
       if (!has_axis) continue;
-      const double depth = cloud_.z[static_cast<std::size_t>(start.row) * cloud_.width + start.column];
-      if (const auto first = surfaceStep(on, rays_, depth, start, step)) ends.add(first->from, first->step, end != 0);
+      const auto first = surfaceStep(on, rays_, cloud_.z[indexOf(start, cloud_)], start, step);
+      if (first) ends.add(first->from, first->step, end != 0);
     }
   };
   std::visit(walkAll, shape);

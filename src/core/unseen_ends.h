@@ -3,7 +3,6 @@
 // Which end of an axis was seen, and where the shape may go on.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

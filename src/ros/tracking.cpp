@@ -3,28 +3,10 @@
 // From primitives to sightings; see tracking.h.
 #include "tracking.h"
 
-#include <algorithm>
-
-#include "geometry_messages.h"
 #include "messages.h"
 #include "primitect/steady_pose.h"
 
 namespace primitect::ros_layer {
-namespace {
-
-Sighting sightingOf(const Primitive& primitive) {
-  const Body body(primitive);
-  const double longest = *std::max_element(primitive.size.begin(), primitive.size.end());
-  return {static_cast<Kind>(primitive.type),
-          primitive.concave != 0,
-          body.origin,
-          body.axis,
-          primitive.radius,
-          0.5 * longest,
-          primitive.type == Primitive::PLANE ? Vec3(body.rotation.col(0)) : Vec3::Zero()};
-}
-
-}  // namespace
 
 /// One without any may be in the cloud's frame as the wanted one was not reached.
 void PrimitiveTracker::forgetAnotherFrame(const PrimitiveArray& message) {
@@ -41,17 +23,21 @@ void PrimitiveTracker::turn(const std::vector<Track>& tracks, PrimitiveArray& me
     if (tracks[k].direction_before.isZero()) continue;
     Primitive& primitive = message.primitives[k];
     const Kind kind = static_cast<Kind>(primitive.type);
-    readExtent(primitive, extent_);
-    turnAsBefore(kind, tracks[k].direction_before, extent_);
-    writePose(extent_, primitive);
-    tracker_.turned(k, waveringDirection(kind, extent_));
+    turnAsBefore(kind, tracks[k].direction_before, extents_[k]);
+    writePose(extents_[k], primitive);
+    tracker_.turned(k, waveringDirection(kind, extents_[k]));
   }
 }
 
 void PrimitiveTracker::update(double patience, PrimitiveArray& message) {
   forgetAnotherFrame(message);
   sightings_.clear();
-  for (const Primitive& primitive : message.primitives) sightings_.push_back(sightingOf(primitive));
+  if (extents_.size() < message.primitives.size()) extents_.resize(message.primitives.size());
+  for (std::size_t k = 0; k < message.primitives.size(); ++k) {
+    const Primitive& primitive = message.primitives[k];
+    readExtent(primitive, extents_[k]);
+    sightings_.push_back(sightingOf(static_cast<Kind>(primitive.type), primitive.concave != 0, extents_[k]));
+  }
   tracker_.setPatience(patience);
   const std::vector<Track>& tracks = tracker_.update(sightings_, message.header.stamp.toSec());
   for (std::size_t k = 0; k < tracks.size(); ++k) {

@@ -28,8 +28,8 @@ class PrimitiveTracker {
 
   Tracker tracker_;
   std::vector<Sighting> sightings_;
-  std::string frame_;  ///< of the last message with primitives
-  Extent extent_;      ///< whose memory serves for one after the other
+  std::string frame_;            ///< of the last message with primitives
+  std::vector<Extent> extents_;  ///< of its primitives, and of more in messages before: their memory serves
 };
 
 }  // namespace primitect::ros_layer

@@ -111,7 +111,8 @@ Placed placed(const std::string& thing, const Told& told) {
     if (!told.lying) return {cone, raised(cone.end) * upside_down};
     // On its side, the axis as steep as the side is to it.
     const Eigen::AngleAxisd tilt(0.5 * kPi - cone.half_angle, Vec3::UnitY());
-    return {cone, Eigen::Translation3d(-0.5 * cone.end * std::cos(cone.half_angle), 0.0, 0.0) * raised(0.0) * tilt};
+    const Eigen::Translation3d centred(-0.5 * cone.end * std::cos(cone.half_angle), 0.0, 0.0);
+    return {cone, Eigen::Isometry3d(centred * tilt)};
   }
   refuse(thing, "'" + told.kind + "' is no kind of thing");
 }

@@ -176,15 +176,28 @@ TEST(RadiusAndAngle, StrayAsTheyAreSaidTo) {
   }
 }
 
+/// Of a fit to 300 points with 2 mm of noise; its pose's covariance in the frame of the extent.
+struct PatchUncertainty {
+  Uncertainty uncertainty;
+  Eigen::Matrix3d shift, turn;
+};
+
+PatchUncertainty uncertaintyOfPatch(Kind kind, Random& random) {
+  const Patch patch = test::randomPatch(kind, 300, random);
+  const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
+  const Extent extent = measureExtent(*fit.shape, fit.measured);
+  const Uncertainty uncertainty = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
+  const Matrix6 covariance = poseOf(uncertainty);
+  const Eigen::Matrix3d& axes = extent.rotation;
+  return {uncertainty, axes.transpose() * covariance.topLeftCorner<3, 3>() * axes,
+          axes.transpose() * covariance.bottomRightCorner<3, 3>() * axes};
+}
+
 TEST(PoseCovariance, SaysWhatCannotBeObserved) {
   Random random(9);
   for (const Kind kind : kKinds) {
-    const Patch patch = test::randomPatch(kind, 300, random);
-    const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
-    const Extent extent = measureExtent(*fit.shape, fit.measured);
-    const Matrix6 covariance = poseOf(measureUncertainty(*fit.shape, extent, fit.measured, fit.noise()));
-    const Eigen::Matrix3d shift = extent.rotation.transpose() * covariance.topLeftCorner<3, 3>() * extent.rotation;
-    const Eigen::Matrix3d turn = extent.rotation.transpose() * covariance.bottomRightCorner<3, 3>() * extent.rotation;
+    const PatchUncertainty of_patch = uncertaintyOfPatch(kind, random);
+    const Eigen::Matrix3d &shift = of_patch.shift, &turn = of_patch.turn;
     const bool plane = kind == Kind::plane, sphere = kind == Kind::sphere;
     // Patches of some centimetres, 300 points, 2 mm: a tenth of a metre or radian is far beyond any real error.
     for (int k = 0; k < 3; ++k) {
@@ -208,13 +221,7 @@ double worstOf(const Eigen::MatrixXd& covariance) { return std::sqrt(-test::leas
 TEST(PoseCovariance, HasItsWorstObservedDeviationsAsOneNumberEach) {
   Random random(19);
   for (const Kind kind : kKinds) {
-    const Patch patch = test::randomPatch(kind, 300, random);
-    const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
-    const Extent extent = measureExtent(*fit.shape, fit.measured);
-    const Uncertainty uncertainty = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
-    const Matrix6 covariance = poseOf(uncertainty);
-    const Eigen::Matrix3d shift = extent.rotation.transpose() * covariance.topLeftCorner<3, 3>() * extent.rotation;
-    const Eigen::Matrix3d turn = extent.rotation.transpose() * covariance.bottomRightCorner<3, 3>() * extent.rotation;
+    const auto [uncertainty, shift, turn] = uncertaintyOfPatch(kind, random);
     const double position = kind == Kind::plane      ? std::sqrt(shift(2, 2))
                             : kind == Kind::cylinder ? worstOf(shift.topLeftCorner<2, 2>())
                                                      : worstOf(shift);
