@@ -28,7 +28,7 @@ const std::vector<ParamInfo>& settingsTable() {
       {"seed", "", 1, 0, 2147483647, {}, "", "which tabletop, and its noise"},
       {"objects", "", Text(), 0, 0, {}, "", "what is on the table; empty: that of the seed"},
       {"eye", "", Text(), 0, 0, {}, "", "X Y Z, where the camera stands (m); empty: it swings around the table"},
-      {"look_at", "", Text("0 0 0.75"), 0, 0, {}, "", "X Y Z, what it looks at from there (m)"},
+      {"look_at", "", Text(), 0, 0, {}, "", "X Y Z, what it looks at from there (m); empty: the middle of the table"},
       {"roll", "", 0.0, -180.0, 180.0, {}, "deg", "by which it is turned about its view there; 180: upside down"},
       {"sensor", "", synthetic::sensorNames().front(), 0, 0, synthetic::sensorNames(), "", "what kind of depth camera"},
       {"noise_scale", "", 1.0, 0.0, 10.0, {}, "", "times the sensor's depth noise; 0 = exact depths"},
@@ -79,9 +79,12 @@ SyntheticCameraNodelet::Settings SyntheticCameraNodelet::loadSettings() const {
   settings.seed = static_cast<std::uint64_t>(std::get<int>(values.at("seed")));
   settings.objects = std::get<Text>(values.at("objects"));
   const Text& eye = std::get<Text>(values.at("eye"));
+  const Text& look_at = std::get<Text>(values.at("look_at"));
   const double roll = std::get<double>(values.at("roll")) * synthetic::kDegree;
-  if (eye.empty() && roll != 0.0) throw std::invalid_argument("roll is of a camera that stands still; set eye, too");
-  if (!eye.empty()) settings.pose = synthetic::poseOf(eye, std::get<Text>(values.at("look_at")), roll);
+  if (eye.empty() && (roll != 0.0 || !look_at.empty())) {
+    throw std::invalid_argument("roll and look_at are of a camera that stands still; set eye, too");
+  }
+  if (!eye.empty()) settings.pose = synthetic::poseOf(eye, look_at.empty() ? "0 0 0.75" : look_at, roll);
   settings.frame_id = std::get<Text>(values.at("frame_id"));
   settings.world_frame = std::get<Text>(values.at("world_frame"));
   settings.depth_encoding = std::get<Text>(values.at("depth_encoding"));

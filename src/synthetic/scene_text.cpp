@@ -7,6 +7,7 @@
 #include <iterator>
 #include <locale>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -60,11 +61,13 @@ struct Told {
 Told toldBy(const std::string& thing, const std::vector<std::string>& words) {
   Told told;
   told.kind = words.front();
+  std::set<std::string> said;
   std::size_t next = 1;
   told.sizes = numbersFrom(next, words);
   while (next < words.size()) {
     const std::string& word = words[next++];
     const std::vector<double> numbers = numbersFrom(next, words);
+    if (!said.insert(word).second) refuse(thing, "'" + word + "' is said twice");
     if (word == "at" && (numbers.size() == 2 || numbers.size() == 3)) {
       told.place = Vec3(numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0);
     } else if (word == "turn" && numbers.size() == 1) {
@@ -74,6 +77,9 @@ Told toldBy(const std::string& thing, const std::vector<std::string>& words) {
     } else {
       refuse(thing, "'" + word + "' and what follows is not understood");
     }
+  }
+  if (std::abs(told.place.x()) > kTableHalfX || std::abs(told.place.y()) > kTableHalfY) {
+    refuse(thing, "its place is beside the table, which has |X| <= 0.65 and |Y| <= 0.75");
   }
   return told;
 }

@@ -117,7 +117,7 @@ World emptyRoom() {
   world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
   world.add("wall", Sheet{1.5, 6.0}, wall_pose);
   constexpr double kThickness = 0.03;
-  world.add("table", Box{0.65, 0.75, kThickness / 2},
+  world.add("table", Box{kTableHalfX, kTableHalfY, kThickness / 2},
             Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
   return world;
 }

@@ -12,8 +12,9 @@ namespace primitect::synthetic {
 
 /// The world frame: x from the camera towards the wall, z up, the floor at z = 0, the table's centre at x = y = 0.
 constexpr double kTableHeight = 0.75;
+constexpr double kTableHalfX = 0.65, kTableHalfY = 0.75;  ///< m, half of its sides
 
-/// Floor, wall and table, 1.3 m along x and 1.5 m along y.
+/// Floor, wall and table.
 World emptyRoom();
 
 /// The same, and on the table 2-3 spheres, 2-3 cylinders (standing or lying), 1-2 cones (half angle 10 to

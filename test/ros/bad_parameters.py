@@ -58,6 +58,7 @@ class BadParameters(unittest.TestCase):
         self.refused("synthetic_camera", {"objects": "can 0.03"}, ["can 0.03", "1 sizes", "can R HEIGHT"])
         self.refused("synthetic_camera", {"eye": "1 2"}, ["1 2", "X Y Z"])
         self.refused("synthetic_camera", {"roll": 90.0}, ["roll", "eye"])
+        self.refused("synthetic_camera", {"look_at": "0 0 1"}, ["look_at", "eye"])
 
     def test_arguments_that_are_no_names_end_a_node_and_help_says_what_it_is(self):
         for program in ("detector", "synthetic_camera"):
