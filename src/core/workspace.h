@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/arrangement.h"
@@ -141,7 +142,9 @@ struct Detector::Workspace {
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
   bool endsBeforeTheBound(std::size_t plane) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
-  void giveToFaces(const PlaneInImage& plane, const List<LabelRun>& runs);
+  std::optional<std::size_t> curvedUnder(const List<std::uint32_t>& pixels) const;
+  List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
+  bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 

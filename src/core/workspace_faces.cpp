@@ -3,10 +3,12 @@
 // Faces that lie in one plane, each a detection of its own; see workspace.h.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/evidence.h"
 #include "core/face_misfit.h"
+#include "core/observed_part.h"
 #include "core/point_noise.h"
 #include "core/workspace.h"
 
@@ -74,32 +76,91 @@ void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t leas
   }
 }
 
-/// The largest face keeps the label of the plane, each other one gets one of its own. What is left is no part of any.
-void Detector::Workspace::giveToFaces(const PlaneInImage& plane, const List<LabelRun>& runs) {
-  const auto before = static_cast<std::uint32_t>(plane.of + 1);
+/// The curved shape (index of the detection) on whose observed part most of a face's pixels lie, if there is one: a
+/// plane level with the ridge of a lying tube takes a strip of it.
+std::optional<std::size_t> Detector::Workspace::curvedUnder(const List<std::uint32_t>& pixels) const {
+  constexpr double kMost = 0.9;
+  const Cloud& cloud = thinned.cloud();
+  const NoiseModel& noise = verification.noise();
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    const Detection& item = result.items[k];
+    if (!kept[k] || kindOf(item.shape) == Kind::plane) continue;
+    const ObservedPart part(item.shape, item.extent);
+    const auto isOn = [&](std::uint32_t i) {
+      const Vec3 point = cloud.point(i);
+      const double most = kInlierDeviations * noise.at(point);
+      return std::abs(distance(item.shape, point)) < most &&
+             part.holds(cloud.x[i], cloud.y[i], cloud.z[i], static_cast<float>(most));
+    };
+    const auto on = std::count_if(pixels.begin(), pixels.end(), isOn);
+    if (static_cast<double>(on) > kMost * static_cast<double>(pixels.size())) return k;
+  }
+  return std::nullopt;
+}
+
+/// Of every face, in the order of the faces.
+List<List<std::uint32_t>> Detector::Workspace::pixelsOfFaces(const PlaneInImage& plane,
+                                                             const List<LabelRun>& runs) const {
+  List<List<std::uint32_t>> pixels(plane.faces.faces().size());
+  for (const LabelRun& run : runs) {
+    if (run.label != plane.of + 1) continue;
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
+      const int face = plane.faces.faceAt(i);
+      if (face != FacesApart::kNone) pixels[static_cast<std::size_t>(face)].push_back(i);
+    }
+  }
+  return pixels;
+}
+
+/// The largest face keeps the label of the plane, each other one gets one of its own, strips those of the curved shapes
+/// that they lie on. What is left is no part of any. False, and nothing is changed, where that would be much: nothing
+/// is to be lost for faces that are too narrow or too small.
+bool Detector::Workspace::giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs) {
   const List<std::size_t>& faces = plane.faces.faces();
-  List<std::uint32_t> label_of(1, before);
-  while (label_of.size() < faces.size()) {
-    label_of.push_back(addPart(std::get<Plane>(result.items[plane.of].shape), plane.of));
-    beside.push_back({label_of.back() - 1, plane.of});
+  if (faces.size() < 2 || plane.faces.left() > kMuch) return false;
+  List<std::optional<std::size_t>> curved;
+  for (const List<std::uint32_t>& pixels : pixelsOfFaces(plane, runs)) {
+    curved.push_back(curvedUnder(pixels));
+    if (!curved.back() && pixels.size() < least) return false;
+  }
+  const auto largest = std::find(curved.begin(), curved.end(), std::nullopt) - curved.begin();
+  if (largest == static_cast<std::ptrdiff_t>(faces.size())) return false;
+  const auto before = static_cast<std::uint32_t>(plane.of + 1);
+  List<std::uint32_t> label_of(faces.size(), before);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (curved[k]) {
+      label_of[k] = static_cast<std::uint32_t>(*curved[k] + 1);
+    } else if (k != static_cast<std::size_t>(largest)) {
+      label_of[k] = addPart(std::get<Plane>(result.items[plane.of].shape), plane.of);
+      beside.push_back({label_of[k] - 1, plane.of});
+    }
   }
   for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (curved[k]) continue;
     takeShare(static_cast<double>(faces[k]) / static_cast<double>(plane.faces.count()), result.items[label_of[k] - 1]);
   }
   relabel(runs, before, label_of, [&plane](std::uint32_t i) { return plane.faces.faceAt(i); });
+  return true;
 }
 
-/// Where much would be left over, of faces too narrow or too small, a plane stays one: nothing of it is to be lost.
+/// A second time with smaller ones, which are strips of curved shapes, where faces alone leave too much.
 void Detector::Workspace::takeFacesApart(const Cloud& whole, List<LabelRun>& runs) {
+  constexpr std::size_t kStrip = 4;  // times smaller than a face
   beside.clear();
   if (!depth_camera) return;
-  const double least = static_cast<double>(fewestPoints(Kind::plane, whole));
+  const double fewest = static_cast<double>(fewestPoints(Kind::plane, whole));
+  bool changed = false;
   for (PlaneInImage& plane : planesInImage(runs)) {
     const double each = static_cast<double>(points[plane.of].all) / static_cast<double>(plane.faces.count());
-    findFaces(runs, static_cast<std::size_t>(std::ceil(least / each)), plane);
-    if (plane.faces.faces().size() > 1 && plane.faces.left() <= kMuch) giveToFaces(plane, runs);
+    const auto least = static_cast<std::size_t>(std::ceil(fewest / each));
+    for (const std::size_t smallest : {least, least / kStrip}) {
+      findFaces(runs, smallest, plane);
+      if (!giveToFaces(least, plane, runs)) continue;
+      changed = true;
+      break;
+    }
   }
-  if (beside.empty()) return;
+  if (!changed) return;
   runs = labelRuns(labels);
   gatherPoints(runs);
 }

@@ -8,18 +8,26 @@
 
 namespace primitect {
 
-/// The first keeps the label of the plane that led over all; another that has enough points gets one of its own. What
-/// is left near them is no part of anything.
+/// The first keeps the label of the plane that led over all; another that has enough points gets one of its own, or
+/// goes to the curved shape that it lies on. What is left near them is no part of anything.
 void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole,
                                      const List<LabelRun>& runs) {
   const auto before = static_cast<std::uint32_t>(of + 1);
   const std::size_t least = fewestPoints(Kind::plane, whole), all = points[of].all, seen = points[of].index.size();
+  const Cloud& cloud = thinned.cloud();
   List<std::uint32_t> label_of(1, before);
   for (std::size_t k = 1; k < tops.tops().size(); ++k) {
     const LevelTops::Top& top = tops.tops()[k];
-    label_of.push_back(all * top.count >= least * seen ? addPart(top.plane, of) : 0u);
+    List<std::uint32_t> pixels;
+    for (const std::uint32_t i : points[of].index) {
+      if (tops.topAt(cloud.point(i)) == static_cast<int>(k)) pixels.push_back(i);
+    }
+    if (const std::optional<std::size_t> curved = curvedUnder(pixels)) {
+      label_of.push_back(static_cast<std::uint32_t>(*curved + 1));
+    } else {
+      label_of.push_back(all * top.count >= least * seen ? addPart(top.plane, of) : 0u);
+    }
   }
-  const Cloud& cloud = thinned.cloud();
   relabel(runs, before, label_of, [&](std::uint32_t i) { return tops.topAt(cloud.point(i)); });
 }
 

@@ -270,5 +270,22 @@ TEST(CoplanarFaces, AreNoneWhereTheCameraTakesPointsBeyondTheRange) {
   EXPECT_NEAR(walls[0].extent.size.x(), 0.8, 0.06);
 }
 
+/// The top of a can of 5 cm with the strip of a tube as thick, 6 cm beside it, was one plane of 19 x 13 cm in half of
+/// the frames.
+TEST(CoplanarFaces, GiveTheStripOfATubeThatTheyAreLevelWithToTheTube) {
+  constexpr double kRadius = 0.025;
+  Table table;
+  table.world.add("can", synthetic::Rod{0.033, kRadius}, at(0.0, 0.0, kRadius));
+  table.world.add("tube", synthetic::Rod{kRadius, 0.1},
+                  at(0.118, 0.0, kRadius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+  for (int seed = 1; seed <= 10; ++seed) {
+    const std::vector<Detection> tops = table.planesIn({Vec3(0.0, 0.0, 2.0 * kRadius), Vec3::UnitZ()}, seed);
+    ASSERT_EQ(tops.size(), 1u) << seed;
+    EXPECT_LT(tops[0].extent.origin.head<2>().norm(), 0.008) << seed;
+    EXPECT_LT(tops[0].extent.size.maxCoeff(), 0.075) << seed;
+    EXPECT_GT(tops[0].confidence, 0.9f) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace primitect
