@@ -142,6 +142,7 @@ struct Detector::Workspace {
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
   bool endsBeforeTheBound(std::size_t plane) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
+  void giveFlanksToCurved(List<LabelRun>& runs);
   std::optional<std::size_t> curvedUnder(const List<std::uint32_t>& pixels) const;
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
   bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);

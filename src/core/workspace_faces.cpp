@@ -76,26 +76,49 @@ void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t leas
   }
 }
 
-/// The curved shape (index of the detection) on whose observed part most of a face's pixels lie, if there is one: a
-/// plane level with the ridge of a lying tube takes a strip of it.
+/// The curved shape (index of the detection) on whose observed part nearly all of these pixels of a plane lie, if there
+/// is one.
 std::optional<std::size_t> Detector::Workspace::curvedUnder(const List<std::uint32_t>& pixels) const {
   constexpr double kMost = 0.9;
+  constexpr std::size_t kAsked = 256;  // pixels, spread evenly
   const Cloud& cloud = thinned.cloud();
-  const NoiseModel& noise = verification.noise();
-  for (std::size_t k = 0; k < result.items.size(); ++k) {
+  const std::size_t step = pixels.size() / kAsked + 1, asked = (pixels.size() + step - 1) / step;
+  const auto most_beside = static_cast<std::size_t>((1.0 - kMost) * static_cast<double>(asked));
+  for (std::size_t k = 0; k < result.items.size() && asked > 0; ++k) {
     const Detection& item = result.items[k];
     if (!kept[k] || kindOf(item.shape) == Kind::plane) continue;
     const ObservedPart part(item.shape, item.extent);
-    const auto isOn = [&](std::uint32_t i) {
-      const Vec3 point = cloud.point(i);
-      const double most = kInlierDeviations * noise.at(point);
-      return std::abs(distance(item.shape, point)) < most &&
-             part.holds(cloud.x[i], cloud.y[i], cloud.z[i], static_cast<float>(most));
-    };
-    const auto on = std::count_if(pixels.begin(), pixels.end(), isOn);
-    if (static_cast<double>(on) > kMost * static_cast<double>(pixels.size())) return k;
+    std::size_t beside = 0;
+    for (std::size_t j = 0; j < pixels.size() && beside <= most_beside; j += step) {
+      const Vec3 point = cloud.point(pixels[j]);
+      const double near = kInlierDeviations * verification.noise().at(point);
+      const auto margin = static_cast<float>(near);
+      const bool on = std::abs(distance(item.shape, point)) < near &&
+                      part.holds(cloud.x[pixels[j]], cloud.y[pixels[j]], cloud.z[pixels[j]], margin);
+      beside += on ? 0 : 1;
+    }
+    if (beside <= most_beside) return k;
   }
   return std::nullopt;
+}
+
+/// The waves of a real camera's noise make planes along the flanks of tubes. Where the tube is more likely these are
+/// its points, and the plane is dropped.
+void Detector::Workspace::giveFlanksToCurved(List<LabelRun>& runs) {
+  if (!depth_camera) return;
+  bool any = false;
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    if (!kept[k] || kindOf(result.items[k].shape) != Kind::plane) continue;
+    const std::optional<std::size_t> curved = curvedUnder(points[k].index);
+    if (!curved || result.items[*curved].confidence < result.items[k].confidence) continue;
+    relabel(runs, static_cast<std::uint32_t>(k + 1), List<std::uint32_t>(1, static_cast<std::uint32_t>(*curved + 1)),
+            [](std::uint32_t) { return 0; });
+    kept[k] = false;
+    any = true;
+  }
+  if (!any) return;
+  runs = labelRuns(labels);
+  gatherPoints(runs);
 }
 
 /// Of every face, in the order of the faces.

@@ -104,6 +104,7 @@ void Detector::Workspace::findPoints(const Cloud& whole, const ImageRays& rays) 
     runs = labelRunsAgain(runs, curved, labels);
   }
   gatherPoints(runs);
+  giveFlanksToCurved(runs);
   takeTopsApart(whole, runs);
   takeFacesApart(whole, runs);
   takeTubesApart(whole, rays, runs);
