@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/arrangement.h"
+#include "core/curved_patch.h"
 #include "core/evidence.h"
 #include "core/faces_apart.h"
 #include "core/frame_memory.h"
@@ -116,6 +117,9 @@ struct Detector::Workspace {
   void voteAgain();
   void describeSegments(const List<Segment>& described, const Samples& of);
 
+  /// Times as large as those to a plane may squared distances to a curved shape be that a part of the plane is a patch
+  /// of.
+  static constexpr double kAsPlane = 1.4;
   struct PlaneInImage {
     std::size_t of;  ///< detection
     FacesApart faces;
@@ -143,7 +147,8 @@ struct Detector::Workspace {
   bool endsBeforeTheBound(std::size_t plane) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
   void giveFlanksToCurved(List<LabelRun>& runs);
-  std::optional<std::size_t> curvedUnder(const List<std::uint32_t>& pixels) const;
+  std::optional<std::size_t> curvedUnder(const Labelled<Plane>& plane, const List<std::uint32_t>& pixels,
+                                         double most_times = kAsPlane) const;
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
   bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);
   List<std::size_t> mostPoints() const;

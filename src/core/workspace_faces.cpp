@@ -3,12 +3,12 @@
 // Faces that lie in one plane, each a detection of its own; see workspace.h.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "core/evidence.h"
 #include "core/face_misfit.h"
-#include "core/observed_part.h"
 #include "core/point_noise.h"
 #include "core/workspace.h"
 
@@ -76,28 +76,15 @@ void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t leas
   }
 }
 
-/// The curved shape (index of the detection) on whose observed part nearly all of these pixels of a plane lie, if there
-/// is one.
-std::optional<std::size_t> Detector::Workspace::curvedUnder(const List<std::uint32_t>& pixels) const {
-  constexpr double kMost = 0.9;
-  constexpr std::size_t kAsked = 256;  // pixels, spread evenly
-  const Cloud& cloud = thinned.cloud();
-  const std::size_t step = pixels.size() / kAsked + 1, asked = (pixels.size() + step - 1) / step;
-  const auto most_beside = static_cast<std::size_t>((1.0 - kMost) * static_cast<double>(asked));
-  for (std::size_t k = 0; k < result.items.size() && asked > 0; ++k) {
+/// The curved shape (index of the detection) that these pixels of a plane, with this label, are a patch of.
+std::optional<std::size_t> Detector::Workspace::curvedUnder(const Labelled<Plane>& plane,
+                                                            const List<std::uint32_t>& pixels,
+                                                            double most_times) const {
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
     const Detection& item = result.items[k];
     if (!kept[k] || kindOf(item.shape) == Kind::plane) continue;
-    const ObservedPart part(item.shape, item.extent);
-    std::size_t beside = 0;
-    for (std::size_t j = 0; j < pixels.size() && beside <= most_beside; j += step) {
-      const Vec3 point = cloud.point(pixels[j]);
-      const double near = kInlierDeviations * verification.noise().at(point);
-      const auto margin = static_cast<float>(near);
-      const bool on = std::abs(distance(item.shape, point)) < near &&
-                      part.holds(cloud.x[pixels[j]], cloud.y[pixels[j]], cloud.z[pixels[j]], margin);
-      beside += on ? 0 : 1;
-    }
-    if (beside <= most_beside) return k;
+    const Labelled<Detection> curved = {item, static_cast<std::uint32_t>(k + 1)};
+    if (isPatchOf(curved, plane, pixels, thinned.cloud(), labels, verification.noise(), most_times)) return k;
   }
   return std::nullopt;
 }
@@ -105,14 +92,20 @@ std::optional<std::size_t> Detector::Workspace::curvedUnder(const List<std::uint
 /// The waves of a real camera's noise make planes along the flanks of tubes. Where the tube is more likely these are
 /// its points, and the plane is dropped.
 void Detector::Workspace::giveFlanksToCurved(List<LabelRun>& runs) {
+  constexpr double kUnlikely = 0.7;   // confidence; of recorded frames all planes along tubes have less
+  constexpr double kMostTimes = 2.5;  // of others
   if (!depth_camera) return;
   bool any = false;
   for (std::size_t k = 0; k < result.items.size(); ++k) {
-    if (!kept[k] || kindOf(result.items[k].shape) != Kind::plane) continue;
-    const std::optional<std::size_t> curved = curvedUnder(points[k].index);
+    const Plane* const plane = std::get_if<Plane>(&result.items[k].shape);
+    if (!kept[k] || !plane) continue;
+    const auto label = static_cast<std::uint32_t>(k + 1);
+    const bool unlikely = result.items[k].confidence < kUnlikely;
+    const double most_times = unlikely ? std::numeric_limits<double>::infinity() : kMostTimes;
+    const std::optional<std::size_t> curved = curvedUnder({*plane, label}, points[k].index, most_times);
     if (!curved || result.items[*curved].confidence < result.items[k].confidence) continue;
-    relabel(runs, static_cast<std::uint32_t>(k + 1), List<std::uint32_t>(1, static_cast<std::uint32_t>(*curved + 1)),
-            [](std::uint32_t) { return 0; });
+    const List<std::uint32_t> label_of(1, static_cast<std::uint32_t>(*curved + 1));
+    relabel(runs, label, label_of, [](std::uint32_t) { return 0; });
     kept[k] = false;
     any = true;
   }
@@ -121,41 +114,47 @@ void Detector::Workspace::giveFlanksToCurved(List<LabelRun>& runs) {
   gatherPoints(runs);
 }
 
-/// Of every face, in the order of the faces.
+/// Some of every face, in the order of the faces: of large planes not all, as that takes long.
 List<List<std::uint32_t>> Detector::Workspace::pixelsOfFaces(const PlaneInImage& plane,
                                                              const List<LabelRun>& runs) const {
+  constexpr std::size_t kMost = 16384;
+  const auto step = static_cast<std::uint32_t>(plane.faces.count() / kMost + 1);
   List<List<std::uint32_t>> pixels(plane.faces.faces().size());
+  std::uint32_t next = 0;
   for (const LabelRun& run : runs) {
     if (run.label != plane.of + 1) continue;
-    for (std::uint32_t i = run.begin; i < run.end; ++i) {
-      const int face = plane.faces.faceAt(i);
-      if (face != FacesApart::kNone) pixels[static_cast<std::size_t>(face)].push_back(i);
+    for (next = std::max(next, run.begin); next < run.end; next += step) {
+      const int face = plane.faces.faceAt(next);
+      if (face != FacesApart::kNone) pixels[static_cast<std::size_t>(face)].push_back(next);
     }
   }
   return pixels;
 }
 
-/// The largest face keeps the label of the plane, each other one gets one of its own, strips those of the curved shapes
-/// that they lie on. What is left is no part of any. False, and nothing is changed, where that would be much: nothing
-/// is to be lost for faces that are too narrow or too small.
+/// Faces that are patches of curved shapes get the labels of these, the largest other one keeps that of the plane, each
+/// other one gets one of its own. What is left is no part of any. False, and nothing is changed, where that would be
+/// much: nothing is to be lost for faces that are too narrow or too small.
 bool Detector::Workspace::giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs) {
   const List<std::size_t>& faces = plane.faces.faces();
   if (faces.size() < 2 || plane.faces.left() > kMuch) return false;
+  const auto before = static_cast<std::uint32_t>(plane.of + 1);
+  const Plane shape = std::get<Plane>(result.items[plane.of].shape);
   List<std::optional<std::size_t>> curved;
   for (const List<std::uint32_t>& pixels : pixelsOfFaces(plane, runs)) {
-    curved.push_back(curvedUnder(pixels));
-    if (!curved.back() && pixels.size() < least) return false;
+    curved.push_back(curvedUnder({shape, before}, pixels));
+    if (!curved.back() && faces[curved.size() - 1] < least) return false;
   }
-  const auto largest = std::find(curved.begin(), curved.end(), std::nullopt) - curved.begin();
-  if (largest == static_cast<std::ptrdiff_t>(faces.size())) return false;
-  const auto before = static_cast<std::uint32_t>(plane.of + 1);
-  List<std::uint32_t> label_of(faces.size(), before);
+  kept[plane.of] = false;
+  List<std::uint32_t> label_of;
   for (std::size_t k = 0; k < faces.size(); ++k) {
     if (curved[k]) {
-      label_of[k] = static_cast<std::uint32_t>(*curved[k] + 1);
-    } else if (k != static_cast<std::size_t>(largest)) {
-      label_of[k] = addPart(std::get<Plane>(result.items[plane.of].shape), plane.of);
-      beside.push_back({label_of[k] - 1, plane.of});
+      label_of.push_back(static_cast<std::uint32_t>(*curved[k] + 1));
+    } else if (!kept[plane.of]) {
+      label_of.push_back(before);
+      kept[plane.of] = true;
+    } else {
+      label_of.push_back(addPart(shape, plane.of));
+      beside.push_back({label_of.back() - 1, plane.of});
     }
   }
   for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -166,7 +165,7 @@ bool Detector::Workspace::giveToFaces(std::size_t least, const PlaneInImage& pla
   return true;
 }
 
-/// A second time with smaller ones, which are strips of curved shapes, where faces alone leave too much.
+/// Where faces leave too much, smaller pieces are looked for, too: they may be strips of curved shapes.
 void Detector::Workspace::takeFacesApart(const Cloud& whole, List<LabelRun>& runs) {
   constexpr std::size_t kStrip = 4;  // times smaller than a face
   beside.clear();

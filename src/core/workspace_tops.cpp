@@ -8,22 +8,27 @@
 
 namespace primitect {
 
-/// The first keeps the label of the plane that led over all; another that has enough points gets one of its own, or
-/// goes to the curved shape that it lies on. What is left near them is no part of anything.
+/// Tops that are patches of curved shapes get the labels of these, the first other one keeps that of the plane that led
+/// over all; another that has enough points gets one of its own. What is left near them is no part of anything.
 void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole,
                                      const List<LabelRun>& runs) {
   const auto before = static_cast<std::uint32_t>(of + 1);
   const std::size_t least = fewestPoints(Kind::plane, whole), all = points[of].all, seen = points[of].index.size();
   const Cloud& cloud = thinned.cloud();
-  List<std::uint32_t> label_of(1, before);
-  for (std::size_t k = 1; k < tops.tops().size(); ++k) {
+  List<List<std::uint32_t>> pixels(tops.tops().size());
+  for (const std::uint32_t i : points[of].index) {
+    const int top = tops.topAt(cloud.point(i));
+    if (top != LevelTops::kNone) pixels[static_cast<std::size_t>(top)].push_back(i);
+  }
+  kept[of] = false;
+  List<std::uint32_t> label_of;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
     const LevelTops::Top& top = tops.tops()[k];
-    List<std::uint32_t> pixels;
-    for (const std::uint32_t i : points[of].index) {
-      if (tops.topAt(cloud.point(i)) == static_cast<int>(k)) pixels.push_back(i);
-    }
-    if (const std::optional<std::size_t> curved = curvedUnder(pixels)) {
+    if (const std::optional<std::size_t> curved = curvedUnder({top.plane, before}, pixels[k])) {
       label_of.push_back(static_cast<std::uint32_t>(*curved + 1));
+    } else if (!kept[of]) {
+      label_of.push_back(before);
+      kept[of] = true;
     } else {
       label_of.push_back(all * top.count >= least * seen ? addPart(top.plane, of) : 0u);
     }

@@ -69,6 +69,8 @@ Told toldBy(const std::string& thing, const std::vector<std::string>& words) {
     const std::vector<double> numbers = numbersFrom(next, words);
     if (!said.insert(word).second) refuse(thing, "'" + word + "' is said twice");
     if (word == "at" && (numbers.size() == 2 || numbers.size() == 3)) {
+      const bool beside = std::abs(numbers[0]) > kTableHalfX || std::abs(numbers[1]) > kTableHalfY;
+      if (beside && numbers.size() == 2) refuse(thing, "X and Y are beside the table; Z is wanted there");
       told.place = Vec3(numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0);
     } else if (word == "turn" && numbers.size() == 1) {
       told.turn = numbers[0] * kDegree;
@@ -77,9 +79,6 @@ Told toldBy(const std::string& thing, const std::vector<std::string>& words) {
     } else {
       refuse(thing, "'" + word + "' and what follows is not understood");
     }
-  }
-  if (std::abs(told.place.x()) > kTableHalfX || std::abs(told.place.y()) > kTableHalfY) {
-    refuse(thing, "its place is beside the table, which has |X| <= 0.65 and |Y| <= 0.75");
   }
   return told;
 }

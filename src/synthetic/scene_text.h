@@ -17,7 +17,8 @@ constexpr const char* kSceneGrammar =
 
 /// The room and the table of tabletop() with these things on it, as kSceneGrammar says: "can 0.03 0.12 at 0 0.1; ball
 /// 0.05 at 0.1 0". They stand on the table, Z above it, or lie, along x before they are turned about the vertical.
-/// Their places are on the table; nothing keeps them apart. Throws std::invalid_argument naming the thing and what is expected.
+/// Without Z their places are on the table; nothing keeps them apart. Throws std::invalid_argument naming the thing and
+/// what is expected.
 World tableWith(const std::string& things);
 
 /// world_from_camera (optical frame) of a camera at `eye` that looks at `target`, both "X Y Z" (m) in the frame of the

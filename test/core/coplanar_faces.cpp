@@ -270,21 +270,63 @@ TEST(CoplanarFaces, AreNoneWhereTheCameraTakesPointsBeyondTheRange) {
   EXPECT_NEAR(walls[0].extent.size.x(), 0.8, 0.06);
 }
 
-/// The top of a can of 5 cm with the strip of a tube as thick, 6 cm beside it, was one plane of 19 x 13 cm in half of
-/// the frames.
-TEST(CoplanarFaces, GiveTheStripOfATubeThatTheyAreLevelWithToTheTube) {
-  constexpr double kRadius = 0.025;
+/// A can, its top with its middle at (0, 0), and a lying tube as thick as it is high, that much beside it.
+constexpr double kThick = 0.05;
+Table canAndTube(double beside) {
   Table table;
-  table.world.add("can", synthetic::Rod{0.033, kRadius}, at(0.0, 0.0, kRadius));
-  table.world.add("tube", synthetic::Rod{kRadius, 0.1},
-                  at(0.118, 0.0, kRadius) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+  table.world.add("can", synthetic::Rod{0.033, 0.5 * kThick}, at(0.0, 0.0, 0.5 * kThick));
+  table.world.add("tube", synthetic::Rod{0.5 * kThick, 0.1},
+                  at(beside, 0.0, 0.5 * kThick) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+  return table;
+}
+
+/// The top and a strip of the tube were one plane of 19 x 13 cm in half of the frames.
+TEST(CoplanarFaces, GiveTheStripOfATubeThatTheyAreLevelWithToTheTube) {
+  const Table table = canAndTube(0.118);
   for (int seed = 1; seed <= 10; ++seed) {
-    const std::vector<Detection> tops = table.planesIn({Vec3(0.0, 0.0, 2.0 * kRadius), Vec3::UnitZ()}, seed);
+    const std::vector<Detection> tops = table.planesIn({Vec3(0.0, 0.0, kThick), Vec3::UnitZ()}, seed);
     ASSERT_EQ(tops.size(), 1u) << seed;
     EXPECT_LT(tops[0].extent.origin.head<2>().norm(), 0.008) << seed;
     EXPECT_LT(tops[0].extent.size.maxCoeff(), 0.075) << seed;
     EXPECT_GT(tops[0].confidence, 0.9f) << seed;
   }
+}
+
+/// The points of a tube, mean of ten frames.
+double pointsOfTube(const Table& table) {
+  double points = 0.0;
+  for (int seed = 1; seed <= 10; ++seed) {
+    Detector detector{Params()};
+    for (const Detection& item : detector.detect(test::renderedCloud(table.world, {}, seed, viewFrom(0.0))).items) {
+      const bool lies = std::abs((viewFrom(0.0).linear() * item.extent.rotation.col(2)).z()) < 0.1;
+      points += kindOf(item.shape) == Kind::cylinder && lies ? 0.1 * item.inlier_count : 0.0;
+    }
+  }
+  return points;
+}
+
+TEST(CoplanarFaces, TakeNoPointsOfThatTube) {
+  Table tube_alone;
+  tube_alone.world.add("tube", synthetic::Rod{0.5 * kThick, 0.1},
+                       at(0.118, 0.0, 0.5 * kThick) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+  EXPECT_GT(pointsOfTube(canAndTube(0.118)), 0.99 * pointsOfTube(tube_alone));
+}
+
+/// A bar 2 mm higher than the tube that it lies on, level with a box beside the tube.
+TEST(CoplanarFaces, OnATubeStayFaces) {
+  constexpr double kTop = 0.102;
+  Table table;
+  table.world.add("tube", synthetic::Rod{0.05, 0.15},
+                  at(0.0, 0.0, 0.05) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
+  table.world.add("bar", synthetic::Box{0.1, 0.02, 0.5 * kTop}, at(0.0, 0.0, 0.5 * kTop));
+  table.addBox(0.0, 0.14, 0.1, kTop);
+  int bars = 0;
+  for (int seed = 1; seed <= 10; ++seed) {
+    for (const Detection& top : table.planesIn({Vec3(0.0, 0.0, kTop), Vec3::UnitZ()}, seed)) {
+      bars += top.extent.size.maxCoeff() > 0.15 && std::abs(top.extent.origin.y()) < 0.02 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(bars, 5);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ int framesWithEach(int count, double gap, const synthetic::FrameParams& params =
 TEST(TubeGaps, CansInALineAreADetectionEach) {
   for (const auto& [count, gap] :
        {std::pair(2, 0.01), std::pair(2, 0.04), std::pair(2, 0.1), std::pair(2, 0.2), std::pair(3, 0.05)}) {
-    EXPECT_GE(framesWithEach(count, gap), 4) << count << " with gaps of " << gap << " m";  // before: none
+    EXPECT_GE(framesWithEach(count, gap), 4) << count << " with gaps of " << gap << " m";
   }
 }
 

@@ -54,6 +54,7 @@ TEST(SceneText, StandsThingsOnTheTableWhereItSays) {
     EXPECT_LT((stand.middle.head<2>() - Eigen::Vector2d(0.1, -0.2)).norm(), kRounding) << text;
   }
   EXPECT_NEAR(standOf(thingOf("can 0.03 0.12 at 0 0 0.25")).lowest, kTableHeight + 0.25, kRounding);
+  EXPECT_NEAR(standOf(thingOf("can 0.03 0.12 at 0 1 -0.75")).lowest, 0.0, kRounding) << "on the floor";
 }
 
 TEST(SceneText, MakesThemAsLargeAsItSays) {
@@ -107,7 +108,11 @@ TEST(SceneText, SaysWhatItDoesNotUnderstand) {
       {"ball 0.05 at 0 0 0 0", "'at' and what follows"},
       {"ball 0.05 turn nan", "'turn' and what follows"},
       {"ball 0.05 turn 10 turn 20", "'turn' is said twice"},
-      {"ball 0.05 at 0.7 0", "'ball 0.05 at 0.7 0': its place is beside the table"},
+      {"ball 0.05 at 0 0 at 0 0.1", "'at' is said twice"},
+      {"can 0.05 0.1 lying lying", "'lying' is said twice"},
+      {"ball 0.05 at 0.7 0", "'ball 0.05 at 0.7 0': X and Y are beside the table"},
+      {"ball 0.05 at -0.7 0", "beside the table"},
+      {"ball 0.05 at 0 0.8", "beside the table"},
       {"ball 0.05 at 0 -0.8", "beside the table"},
       {"ball 0.05 lying", "only a can or a cone"},
       {"ball -0.05", "'ball -0.05': sizes must be above 0 m"},
