@@ -60,12 +60,6 @@ class WindowSizes {
     return static_cast<int>(std::lround(std::max(usual, std::min(forGrains(depth), kLargestForGrains))));
   }
 
-  /// Of three quarters of this width.
-  int narrower(int half_width) const {
-    constexpr double kNarrower = 0.75;
-    return static_cast<int>(std::lround(std::max(kNarrower * half_width, std::min(smallest_, 1.0 * half_width))));
-  }
-
  private:
   static constexpr double kLargestForGrains = 20.0;  // px
 
@@ -90,21 +84,6 @@ class WindowSizes {
   double at_one_meter_, smallest_, largest_;
 };
 
-/// At the flanks of thin things and beside edges the surface of the centre fills hardly more than half of a window that
-/// is as large as grains make it; then the middle of the thing turns the fit by more than a narrower window's noise
-/// does: normals at the flanks of a can of 5 cm are off by .21 rad instead of .23 (test_image_noise). Where pixels err
-/// on their own windows are small.
-std::optional<WindowNormal> filledWindow(const Cloud& image, std::uint32_t pixel, const Vec3& point,
-                                         const WindowSizes& sizes, const PixelPitch& pitch,
-                                         const NormalSource& source) {
-  constexpr double kHardlyFilled = 0.55;
-  const int half_width = sizes.at(point.z());
-  const auto normal = windowNormal(image, pixel, point, half_width, pitch, source.noise_scale);
-  if (!normal || normal->share >= kHardlyFilled || !(source.grain > 1.0)) return normal;
-  const auto narrower = windowNormal(image, pixel, point, sizes.narrower(half_width), pitch, source.noise_scale);
-  return narrower && narrower->share > normal->share ? narrower : normal;
-}
-
 void fitWindows(const Cloud& image, int window_at_one_meter, NormalSource& source, Samples& samples) {
   // With all of the grain of a block matcher, 7, precision on the tables that it sees is less by 3 %.
   constexpr double kMostSaid = 3.0;
@@ -119,7 +98,7 @@ void fitWindows(const Cloud& image, int window_at_one_meter, NormalSource& sourc
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::uint32_t pixel = samples.index[i];
     const Vec3 point = samples.point(i);
-    const auto normal = filledWindow(image, pixel, point, sizes, pitch, source);
+    const auto normal = windowNormal(image, pixel, point, sizes.at(point.z()), pitch, source.noise_scale);
     if (!normal || fliesBetween(camera, pixel, point, normal->direction)) continue;
     store(normal->direction, i, samples);
     const double usual = 1.0 + (source.usual_grain - 1.0) * ramp(kGood, kPoor, normal->sigma);

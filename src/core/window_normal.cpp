@@ -36,15 +36,11 @@ kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_wid
   return task;
 }
 
-double pixelsOf(const kernels::WindowTask& task) {
-  const double width = 2.0 * static_cast<double>(task.half_width) + 1.0;
-  return width * width;
-}
-
 /// Holds the centre's surface, of enough pixels.
 bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) {
   constexpr double kSmallestShare = 0.25;  // of the window, on the centre's surface
-  const int needed = std::max(6, static_cast<int>(kSmallestShare * pixelsOf(task)));
+  const double width = 2.0 * static_cast<double>(task.half_width) + 1.0;
+  const int needed = std::max(6, static_cast<int>(kSmallestShare * width * width));
   return plane.used >= needed && std::abs(plane.c) < static_cast<double>(task.tolerance);
 }
 
@@ -138,7 +134,7 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
   const Vec3 normal(plane.a, plane.b, 1.0 + plane.c - plane.a * task.u - plane.b * task.v);
   // a and b turn the plane; c is known much better.
   const double noise = noise_scale * axialNoise(center.z()) / center.z() * std::sqrt(plane.variance) / normal.norm();
-  return WindowNormal{-normal.normalized(), noise, plane.used / pixelsOf(task)};
+  return WindowNormal{-normal.normalized(), noise};
 }
 
 std::optional<WindowNoise> windowNoise(const Cloud& image, std::uint32_t pixel, int half_width,

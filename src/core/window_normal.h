@@ -15,7 +15,6 @@ namespace primitect {
 struct WindowNormal {
   Vec3 direction;
   double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
-  double share;  ///< of the window's pixels, on one surface with the centre
 };
 
 /// Normal at a pixel of an organized cloud, towards the sensor: robust plane fit of 1/z over x/z and y/z in a window of
