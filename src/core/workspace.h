@@ -86,7 +86,12 @@ struct Detector::Workspace {
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& whole);
 
-  // Between labels and measures: workspace_tops.cpp.
+  // Between labels and measures: workspace_patches.cpp.
+
+  /// The points of planes along the flanks of tubes, to these.
+  void giveFlanksToCurved(List<LabelRun>& runs);
+
+  // Then: workspace_tops.cpp.
 
   /// A plane for every height, where one leads over several tops.
   void takeTopsApart(const Cloud& whole, List<LabelRun>& runs);
@@ -117,8 +122,7 @@ struct Detector::Workspace {
   void voteAgain();
   void describeSegments(const List<Segment>& described, const Samples& of);
 
-  /// Times as large as those to a plane may squared distances to a curved shape be that a part of the plane is a patch
-  /// of.
+  /// Of a curved shape that a part of a plane is a patch of: see isPatchOf().
   static constexpr double kAsPlane = 1.4;
   struct PlaneInImage {
     std::size_t of;  ///< detection
@@ -146,7 +150,6 @@ struct Detector::Workspace {
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
   bool endsBeforeTheBound(std::size_t plane) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
-  void giveFlanksToCurved(List<LabelRun>& runs);
   std::optional<std::size_t> curvedUnder(const Labelled<Plane>& plane, const List<std::uint32_t>& pixels,
                                          double most_times = kAsPlane) const;
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;

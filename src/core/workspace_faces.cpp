@@ -3,7 +3,6 @@
 // Faces that lie in one plane, each a detection of its own; see workspace.h.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -74,44 +73,6 @@ void Detector::Workspace::findFaces(const List<LabelRun>& runs, std::size_t leas
     if (finer.faces().size() < plane.faces.faces().size()) return;
     plane.faces = std::move(finer);
   }
-}
-
-/// The curved shape (index of the detection) that these pixels of a plane, with this label, are a patch of.
-std::optional<std::size_t> Detector::Workspace::curvedUnder(const Labelled<Plane>& plane,
-                                                            const List<std::uint32_t>& pixels,
-                                                            double most_times) const {
-  for (std::size_t k = 0; k < result.items.size(); ++k) {
-    const Detection& item = result.items[k];
-    if (!kept[k] || kindOf(item.shape) == Kind::plane) continue;
-    const Labelled<Detection> curved = {item, static_cast<std::uint32_t>(k + 1)};
-    if (isPatchOf(curved, plane, pixels, thinned.cloud(), labels, verification.noise(), most_times)) return k;
-  }
-  return std::nullopt;
-}
-
-/// The waves of a real camera's noise make planes along the flanks of tubes. Where the tube is more likely these are
-/// its points, and the plane is dropped.
-void Detector::Workspace::giveFlanksToCurved(List<LabelRun>& runs) {
-  constexpr double kUnlikely = 0.7;   // confidence; of recorded frames all planes along tubes have less
-  constexpr double kMostTimes = 2.5;  // of others
-  if (!depth_camera) return;
-  bool any = false;
-  for (std::size_t k = 0; k < result.items.size(); ++k) {
-    const Plane* const plane = std::get_if<Plane>(&result.items[k].shape);
-    if (!kept[k] || !plane) continue;
-    const auto label = static_cast<std::uint32_t>(k + 1);
-    const bool unlikely = result.items[k].confidence < kUnlikely;
-    const double most_times = unlikely ? std::numeric_limits<double>::infinity() : kMostTimes;
-    const std::optional<std::size_t> curved = curvedUnder({*plane, label}, points[k].index, most_times);
-    if (!curved || result.items[*curved].confidence < result.items[k].confidence) continue;
-    const List<std::uint32_t> label_of(1, static_cast<std::uint32_t>(*curved + 1));
-    relabel(runs, label, label_of, [](std::uint32_t) { return 0; });
-    kept[k] = false;
-    any = true;
-  }
-  if (!any) return;
-  runs = labelRuns(labels);
-  gatherPoints(runs);
 }
 
 /// Some of every face, in the order of the faces: of large planes not all, as that takes long.
