@@ -136,6 +136,7 @@ struct Detector::Workspace {
   void thin(const Cloud& whole);
   void findPoints(const Cloud& whole, const ImageRays& rays);
   void gatherPoints(const List<LabelRun>& runs);
+  void gatherAnew(List<LabelRun>& runs);
   List<std::size_t> countPoints(const List<LabelRun>& runs) const;
   List<bool> areEnough(const List<std::size_t>& all, const Cloud& whole);
   Vec3 stretchOf(const Detection& item) const;

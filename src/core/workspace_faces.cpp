@@ -144,8 +144,7 @@ void Detector::Workspace::takeFacesApart(const Cloud& whole, List<LabelRun>& run
     }
   }
   if (!changed) return;
-  runs = labelRuns(labels);
-  gatherPoints(runs);
+  gatherAnew(runs);
 }
 
 /// What a plane cuts off a thing with a round side, in passing, is no face: it strays more than noise does, and than

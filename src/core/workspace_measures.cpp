@@ -117,6 +117,12 @@ void Detector::Workspace::gatherPoints(const List<LabelRun>& runs) {
   for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
 }
 
+/// After labels have changed.
+void Detector::Workspace::gatherAnew(List<LabelRun>& runs) {
+  runs = labelRuns(labels);
+  gatherPoints(runs);
+}
+
 /// A detection of a part that was taken from another one. Returns its label.
 std::uint32_t Detector::Workspace::addPart(const Shape& shape, std::size_t of) {
   Detection& item = result.items[of];

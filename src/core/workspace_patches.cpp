@@ -43,8 +43,7 @@ void Detector::Workspace::giveFlanksToCurved(List<LabelRun>& runs) {
     any = true;
   }
   if (!any) return;
-  runs = labelRuns(labels);
-  gatherPoints(runs);
+  gatherAnew(runs);
 }
 
 }  // namespace primitect

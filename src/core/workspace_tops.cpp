@@ -57,8 +57,7 @@ void Detector::Workspace::takeTopsApart(const Cloud& whole, List<LabelRun>& runs
     any = true;
   }
   if (!any) return;
-  runs = labelRuns(labels);
-  gatherPoints(runs);
+  gatherAnew(runs);
 }
 
 }  // namespace primitect

@@ -85,8 +85,7 @@ void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& ra
     if (parts.size() > 1 && giveToParts(parts, k, whole, runs)) any = true;
   }
   if (!any) return;
-  runs = labelRuns(labels);
-  gatherPoints(runs);
+  gatherAnew(runs);
 }
 
 }  // namespace primitect

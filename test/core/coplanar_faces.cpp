@@ -270,19 +270,24 @@ TEST(CoplanarFaces, AreNoneWhereTheCameraTakesPointsBeyondTheRange) {
   EXPECT_NEAR(walls[0].extent.size.x(), 0.8, 0.06);
 }
 
-/// A can, its top with its middle at (0, 0), and a lying tube as thick as it is high, that much beside it.
-constexpr double kThick = 0.05;
-Table canAndTube(double beside) {
+constexpr double kThick = 0.05;  // m
+Table lyingTube() {
   Table table;
-  table.world.add("can", synthetic::Rod{0.033, 0.5 * kThick}, at(0.0, 0.0, 0.5 * kThick));
   table.world.add("tube", synthetic::Rod{0.5 * kThick, 0.1},
-                  at(beside, 0.0, 0.5 * kThick) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+                  at(0.118, 0.0, 0.5 * kThick) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
+  return table;
+}
+
+/// The same 6 cm beside a can as high as it is thick, whose top has its middle at (0, 0).
+Table canAndTube() {
+  Table table = lyingTube();
+  table.world.add("can", synthetic::Rod{0.033, 0.5 * kThick}, at(0.0, 0.0, 0.5 * kThick));
   return table;
 }
 
 /// The top and a strip of the tube were one plane of 19 x 13 cm in half of the frames.
 TEST(CoplanarFaces, GiveTheStripOfATubeThatTheyAreLevelWithToTheTube) {
-  const Table table = canAndTube(0.118);
+  const Table table = canAndTube();
   for (int seed = 1; seed <= 10; ++seed) {
     const std::vector<Detection> tops = table.planesIn({Vec3(0.0, 0.0, kThick), Vec3::UnitZ()}, seed);
     ASSERT_EQ(tops.size(), 1u) << seed;
@@ -305,12 +310,7 @@ double pointsOfTube(const Table& table) {
   return points;
 }
 
-TEST(CoplanarFaces, TakeNoPointsOfThatTube) {
-  Table tube_alone;
-  tube_alone.world.add("tube", synthetic::Rod{0.5 * kThick, 0.1},
-                       at(0.118, 0.0, 0.5 * kThick) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()));
-  EXPECT_GT(pointsOfTube(canAndTube(0.118)), 0.99 * pointsOfTube(tube_alone));
-}
+TEST(CoplanarFaces, TakeNoPointsOfThatTube) { EXPECT_GT(pointsOfTube(canAndTube()), 0.99 * pointsOfTube(lyingTube())); }
 
 /// A bar 2 mm higher than the tube that it lies on, level with a box beside the tube.
 TEST(CoplanarFaces, OnATubeStayFaces) {
