@@ -57,7 +57,7 @@ void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<
 namespace {
 
 /// Share of the points that a shape must explain beyond another for each parameter that it has more.
-constexpr double kPrice = 0.003;
+constexpr double kPrice = 0.002;
 
 /// What a shape pays in place of one that was found, in shares of the points. The points alone do not know how their
 /// normals turn along a tube: of 36 half tubes 1 to 4 cm long, with 1 to 3 mm of noise, 23 became balls when these had
