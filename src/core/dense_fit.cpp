@@ -56,8 +56,10 @@ void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<
 
 namespace {
 
-/// Share of the points that a shape must explain beyond another for each parameter that it has more.
-constexpr double kPrice = 0.002;
+/// Share of the points that a shape must explain beyond another for each parameter that it has more. A cone that
+/// tapers this much (rad) pays less for its last one, the half angle: noise makes cones of 4 to 6 deg of cylinders,
+/// hardly ever wider ones.
+constexpr double kPrice = 0.002, kPriceOfWideAngle = 0.0007, kWideAngle = 8.0 * M_PI / 180.0;
 
 /// What a shape pays in place of one that was found, in shares of the points. The points alone do not know how their
 /// normals turn along a tube: of 36 half tubes 1 to 4 cm long, with 1 to 3 mm of noise, 23 became balls when these had
@@ -65,7 +67,10 @@ constexpr double kPrice = 0.002;
 double priceOf(const Shape& shape, const Shape& found) {
   constexpr int kBallForTube = 7;  // parameters
   const bool other_ball = kindOf(shape) == Kind::sphere && kindOf(found) != Kind::sphere;
-  return kPrice * (other_ball ? kBallForTube : parameterCount(kindOf(shape)));
+  if (other_ball) return kPrice * kBallForTube;
+  const Cone* cone = std::get_if<Cone>(&shape);
+  const bool wide = cone && cone->half_angle > kWideAngle;
+  return kPrice * (parameterCount(kindOf(shape)) - 1) + (wide ? kPriceOfWideAngle : kPrice);
 }
 
 /// The cylinder that touches a cone along the line that its points lie around.
@@ -155,11 +160,12 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
   // What a fit to few points may lack of the agreement that one to all has is far less; others are not fitted to all:
   // .5 % fewer instructions of a tabletop, .8 % of a paper scene.
   constexpr double kFarBehind = 0.01, kClose = 0.005;  // of the points
+  constexpr double kLeastTaperDeg = 4.0;               // of a cone that nobody would call a cylinder
   const double count = static_cast<double>(points.size());
   const FitPoints few = areMany(points) ? points.thinned(kFew) : FitPoints();
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   Shape best = shape;
-  double most = kNone, most_of_cones = kNone;
+  double most = kNone, most_of_cones = kNone, most_that_taper = kNone;
   const auto worthOf = [&](const Shape& fitted) { return agreement(fitted, points) - count * priceOf(fitted, shape); };
   for (Shape start : startsAround(shape, points)) {
     if (areMany(points)) {
@@ -174,10 +180,14 @@ PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const L
     // One that holds may come second by as little.
     const double allowed = holds ? kClose * count : 0.0;
     const bool wanted = holds || isSharper(*fitted, limits.params.min_half_angle_deg);
-    if (kindOf(*fitted) == Kind::cone && wanted) most_of_cones = std::max(most_of_cones, worth + allowed);
+    if (kindOf(*fitted) != Kind::cone || !wanted) continue;
+    most_of_cones = std::max(most_of_cones, worth + allowed);
+    const bool tapers = holds && !isSharper(*fitted, kLeastTaperDeg);
+    if (tapers) most_that_taper = std::max(most_that_taper, worth + allowed);
   }
   if (kindOf(best) != Kind::cylinder || !limits.params.detect_cones) return {best, false};
-  return {best, most_of_cones > std::max(most, worthOf(best))};
+  const double needed = std::max(most, worthOf(best));
+  return {best, most_of_cones > needed, most_that_taper > needed};
 }
 
 std::optional<Cylinder> asCylinder(const Shape& shape, const Vec3& middle) {

@@ -48,6 +48,7 @@ class Measurement {
     Shape shape;
     double most_trust;  ///< in its size, see trustInSize()
     bool or_cone;       ///< see PointsChoice
+    bool either;        ///< see PointsChoice
   };
 
   bool isFittedAlongRays(const Shape& shape) const;

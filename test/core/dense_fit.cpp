@@ -179,6 +179,48 @@ TEST(RefineOnPoints, SaysWhereAConeThatIsSharperThanTheLimitsWouldBeBetter) {
   EXPECT_FALSE(choice(samplesOfTapered(10.0 * kDegree, 1000, 52)).or_cone);
 }
 
+/// What is chosen for 2000 points on a strip of a cone, a seventh of the way around where its radius is 10 cm, this
+/// long (m), which was taken for the cylinder that touches it.
+PointsChoice choiceOnStrip(double half_angle, double length, std::uint64_t seed) {
+  constexpr double kRadius = 0.1, kAround = 50.0 * kDegree;
+  const double middle = kRadius / std::tan(half_angle);
+  const Cone cone = {Vec3(0, -middle, 1), Vec3(0, 1, 0), half_angle};
+  Random random(seed);
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 2000; ++i) {
+    const double height = middle + length * random.uniform(-0.5, 0.5);
+    const double around = -0.5 * M_PI + kAround * random.uniform(-0.5, 0.5);
+    points.push_back(test::pointOn(cone, height, around));
+  }
+  const Params params;
+  return refineOnPoints(*asCylinder(cone, test::pointOn(cone, middle, -0.5 * M_PI).point),
+                        test::fitPointsOf(noisySamples(points, 0.0, random)), {params, 0.4});
+}
+
+struct OfTenStrips {
+  int cones = 0, either = 0;
+};
+OfTenStrips choicesOnStrips(double half_angle) {
+  constexpr double kLength = 0.1;
+  OfTenStrips result;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const PointsChoice choice = choiceOnStrip(half_angle, kLength, seed);
+    result.cones += kindOf(choice.shape) == Kind::cone ? 1 : 0;
+    result.either += choice.either ? 1 : 0;
+  }
+  return result;
+}
+
+TEST(RefineOnPoints, StripsOfConesAtABorderAreCones) {
+  EXPECT_GE(choicesOnStrips(11.0 * kDegree).cones, 8) << "2 where the angle has the price of any parameter, .003";
+  EXPECT_EQ(choicesOnStrips(0.1 * kDegree).cones, 0) << "as good as cylinders";
+}
+
+TEST(RefineOnPoints, SaysWhereNobodyCanTellAConeFromACylinder) {
+  EXPECT_GE(choicesOnStrips(6.0 * kDegree).either, 5);
+  EXPECT_EQ(choicesOnStrips(0.1 * kDegree).either, 0);
+}
+
 TEST(AsCylinder, TouchesAConeAlongTheLineThatThePointsLieAround) {
   const Cone cone = taperedCan(6.0 * kDegree);
   const test::SurfacePoint seen = test::pointOn(cone, kCan.radius / std::tan(cone.half_angle), 0.7);
