@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "eval/cut_out.h"
-#include "eval/tabletop_frames.h"
+#include "eval/depth_frames.h"
 #include "eval/variants.h"
 #include "primitect/transforms.h"
 #include "synthetic/mechanical_part.h"
@@ -99,9 +99,9 @@ void moveToRobotFrame(LabelledCloud& result) {
 
 LabelledCloud withoutVariants(const Recipe& recipe) {
   if (recipe.set == "small") return smallScene(recipe);
-  if (recipe.set == "tabletop" || recipe.set == "clutter") return tabletopFrame(recipe);
+  if (isDepthFrame(recipe.set)) return depthFrame(recipe);
   if (recipe.set == "objects") {
-    LabelledCloud result = tabletopFrame(recipe);
+    LabelledCloud result = depthFrame(recipe);
     cutOut(recipe.seed, result);
     excuseThinned(result);
     return result;
@@ -134,6 +134,8 @@ std::vector<std::string> dataSetNames() {
   names.push_back("small");
   names.push_back("tabletop");
   names.push_back("clutter");
+  names.push_back("heap");
+  names.push_back("hall");
   names.push_back("objects");
   names.push_back("parts");
   return names;

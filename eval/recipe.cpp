@@ -30,9 +30,13 @@ void checkUnused(bool used, const Recipe& recipe, const std::string& name, doubl
 
 }  // namespace
 
+bool isDepthFrame(const std::string& set) {
+  return set == "tabletop" || set == "clutter" || set == "heap" || set == "hall";
+}
+
 UsedBySet usedBySet(const std::string& set) {
   const bool on_paper_grid = startsWith(set, "paper-") || startsWith(set, "concave-") || set == "small";
-  return {on_paper_grid || set == "parts", set == "tabletop" || set == "clutter" || set == "objects", on_paper_grid};
+  return {on_paper_grid || set == "parts", isDepthFrame(set) || set == "objects", on_paper_grid};
 }
 
 void checkRecipe(const Recipe& recipe) {

@@ -27,6 +27,9 @@ struct Recipe {
   bool robot_frame = false;
 };
 
+/// The set shows a room as a depth camera sees it.
+bool isDepthFrame(const std::string& set);
+
 /// Which of the values a set uses; every set knows keep, uneven, shuffle and robot_frame.
 struct UsedBySet {
   bool sigma, depth_frame, outliers;

@@ -66,6 +66,8 @@ def tabletop_rows():
         yield Row(section, kind + "s on tables", Recipe("tabletop"), kind, (Target(DOD, most=5.0),) + sizes[kind])
     yield Row(section, "one thing cut out of a table", Recipe("objects"), "all", precision_and_recall(98.0, 97.0))
     yield Row(section, "nothing but clutter", Recipe("clutter"), "all", (Target(FALSE_CURVED, most=0.3),))
+    yield Row(section, "heaps of things in all poses", Recipe("heap"), "all", precision_and_recall(98.0, 97.0))
+    yield Row(section, "halls: large things, many cut by the border", Recipe("hall"), "all", ())
 
 
 def variant_rows():

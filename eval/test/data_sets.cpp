@@ -11,7 +11,7 @@
 
 #include "eval/case_score.h"
 #include "eval/methods.h"
-#include "eval/tabletop_frames.h"
+#include "eval/depth_frames.h"
 
 namespace {
 

@@ -136,13 +136,13 @@ Object drawShapeless(Random& random) {
   return kDraw[random.below(kDraw.size())](random);
 }
 
-namespace {
-
 Object drawPrimitive(Random& random) {
   constexpr std::array<Object (*)(Random&), 7> kDraw = {drawBall, drawRod, drawCup, drawBowl,
                                                         drawCone, drawPot, drawBox};
   return kDraw[random.below(kDraw.size())](random);
 }
+
+namespace {
 
 /// A box under the thing, wide enough for it.
 Pile onABox(Object thing, Random& random) {

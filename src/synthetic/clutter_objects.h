@@ -19,6 +19,9 @@ Object drawShapeless(Random& random);
 /// A box on the table.
 Object drawBox(Random& random);
 
+/// A ball, cylinder, cup, bowl, cone, pot or box, standing or lying.
+Object drawPrimitive(Random& random);
+
 /// 6 to 14 things, 1 to 3 of them none of the four kinds.
 std::vector<Pile> drawPiles(Random& random);
 

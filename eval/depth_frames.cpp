@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// From a world to a labelled frame; see tabletop_frames.h.
-#include "eval/tabletop_frames.h"
+// From a world to a labelled frame; see depth_frames.h.
+#include "eval/depth_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@
 #include "primitect/transforms.h"
 #include "synthetic/clutter.h"
 #include "synthetic/frame.h"
+#include "synthetic/hall.h"
+#include "synthetic/heap.h"
 #include "synthetic/sensors.h"
 
 namespace primitect::eval {
@@ -163,13 +165,20 @@ Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
   return scored;
 }
 
+View viewOf(const Recipe& recipe) {
+  const PinholeCamera camera = PinholeCamera().scaledTo(recipe.width, recipe.width * 3 / 4);
+  if (recipe.set == "hall") return {synthetic::hall(recipe.seed), camera, synthetic::hallPose(recipe.seed)};
+  const Eigen::Isometry3d pose = synthetic::clutterPose(recipe.seed);
+  if (recipe.set == "heap") return {synthetic::heap(recipe.seed), camera, pose};
+  if (recipe.set == "clutter") return {synthetic::shapelessTable(recipe.seed), camera, pose};
+  return {synthetic::clutteredTable(recipe.seed), camera, pose};
+}
+
 }  // namespace
 
-LabelledCloud tabletopFrame(const Recipe& recipe) {
+LabelledCloud depthFrame(const Recipe& recipe) {
   constexpr double kMillimeter = 0.001;
-  const View view{
-      recipe.set == "clutter" ? synthetic::shapelessTable(recipe.seed) : synthetic::clutteredTable(recipe.seed),
-      PinholeCamera().scaledTo(recipe.width, recipe.width * 3 / 4), synthetic::clutterPose(recipe.seed)};
+  const View view = viewOf(recipe);
   synthetic::FrameParams params;
   params.noise = synthetic::noiseOf(recipe.sensor);
   params.noise.scale = recipe.noise_scale;
