@@ -50,6 +50,9 @@ struct FrameReport {
   std::string problem;                ///< not empty: why there are none
   bool damaged = false;               ///< the recording cannot be read there
   double processing_ms = 0.0;
+  double beyond = 0.0;  ///< share of what was measured that lies beyond max_depth
+  bool origin_assumed =
+      false;  ///< nothing tells that the sensor was at the origin of the frame, which is no optical one
 };
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",

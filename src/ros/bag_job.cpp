@@ -47,7 +47,8 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
     const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;
     use({recorded.recorded.toSec() - first->toSec(), message.header.stamp.sec, message.header.stamp.nsec,
          message.header.frame_id, fromMessage(message), refused.empty() ? sequence.frameProblem() : refused,
-         recorded.damaged, 1000.0 * message.processing_time});
+         recorded.damaged, 1000.0 * message.processing_time, recorded.cloud ? sequence.pipeline().shareBeyond() : 0.0,
+         recorded.cloud && sequence.originIsAssumed()});
   });
   if (output) output->finish();
   return {clouds.topic(), transforms ? transforms->unusable() : 0};

@@ -30,6 +30,12 @@ PrimitiveArray& CloudSequence::process(const sensor_msgs::PointCloud2& cloud, bo
   return message;
 }
 
+bool CloudSequence::originIsAssumed() const {
+  const bool named =
+      !pipeline_.params().sensor_frame.empty() || sensor_header_.frame_id.find("optical") != std::string::npos;
+  return !named && pipeline_.isListFromOrigin();
+}
+
 MarkerStyle CloudSequence::markerStyle() const {
   const Params& params = pipeline_.params();
   return {params.marker_alpha, params.marker_lifetime, message_from_sensor_.linear() * -Vec3::UnitY(),

@@ -45,6 +45,10 @@ class CloudSequence {
   /// Of the last cloud, in the frame where it was searched.
   const std_msgs::Header& sensorHeader() const { return sensor_header_; }
 
+  /// The last cloud was a list of points, of which nothing tells that a sensor at the origin of their frame saw them:
+  /// nobody named one, nor is the frame called an optical one.
+  bool originIsAssumed() const;
+
   /// Where the sensor was, in the frame of the last message.
   const Eigen::Isometry3d& sensorPose() const { return message_from_sensor_; }
 

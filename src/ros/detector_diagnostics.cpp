@@ -40,7 +40,8 @@ DetectorDiagnostics::DetectorDiagnostics(const ros::NodeHandle& handle, const ro
   updater_.add("timing", [this](DiagnosticStatusWrapper& status) { fillTiming(status); });
 }
 
-void DetectorDiagnostics::frameReceived() {
+void DetectorDiagnostics::frameReceived(const ros::Time& stamp) {
+  back_jumps_.cloud(stamp);
   ++counters_.frames_in;
   last_frame_ = SteadyClock::now();
 }
@@ -68,18 +69,11 @@ void DetectorDiagnostics::publish(bool subscribed, const StageTimes& times, cons
   governor_ = nullptr;
 }
 
-bool DetectorDiagnostics::timeWentBack() {
-  ++times_back_;
-  std::rotate(last_back_.begin(), last_back_.end() - 1, last_back_.end());
-  last_back_.front() = SteadyClock::now();
+bool DetectorDiagnostics::timeWentBack(const ros::Time& stamp) {
+  const SteadyClock::time_point now = SteadyClock::now();
+  back_jumps_.back(stamp, now);
   startAnew();
-  return goesBackOften();
-}
-
-/// A bag that is played in a loop goes back less often.
-bool DetectorDiagnostics::goesBackOften() const {
-  constexpr double kSeconds = 10.0;
-  return times_back_ >= last_back_.size() && secondsSince(last_back_.back()) < kSeconds;
+  return back_jumps_.often(now);
 }
 
 void DetectorDiagnostics::startAnew() {
@@ -98,7 +92,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     status.summaryf(DiagnosticStatus::WARN, "no cloud for %.0f s%s", secondsSince(last_frame_), before.c_str());
   } else if (!last_error_.empty()) {
     status.summary(DiagnosticStatus::WARN, "last cloud refused: " + last_error_);
-  } else if (goesBackOften()) {
+  } else if (back_jumps_.often(SteadyClock::now())) {
     status.summary(DiagnosticStatus::WARN,
                    "stamps go back again and again, and tracks begin anew each time: do two sources publish here?");
   } else if (view_.seen_from_origin == false) {
@@ -114,7 +108,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
     }
   }
   status.add("frames in", counters_.frames_in);
-  status.add("times that stamps went back", times_back_);
+  status.add("times that stamps went back", back_jumps_.count());
   for (std::size_t i = 0; i < FrameCounters::kStatusCount; ++i) {
     const std::string name = statusName(static_cast<Status>(i));
     status.add(i == 0 ? "processed" : "rejected: " + name, counters_.by_status[i]);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "back_jumps.h"
 #include "primitect/latency_governor.h"
 #include "primitect/primitives.h"
 #include "steady_time.h"
@@ -48,7 +49,7 @@ class DetectorDiagnostics {
   /// name: the node's or nodelet's full name.
   DetectorDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
 
-  void frameReceived();
+  void frameReceived(const ros::Time& stamp);
   /// error: why the cloud was refused, or empty.
   void frameDone(const PrimitiveArray& message, const Refusals& refusals, const FrameView& view,
                  const std::string& error);
@@ -57,8 +58,9 @@ class DetectorDiagnostics {
   /// Publishes now; for a wall timer, as the updater's own clock stalls when time jumps back.
   /// governor: null if max_latency is off.
   void publish(bool subscribed, const StageTimes& times, const LatencyGovernor* governor);
-  /// A stamp is earlier than the one before: counts from here on. True: it does so again and again.
-  bool timeWentBack();
+  /// The stamp of the next cloud is earlier than the one before: counts from here on. True: that happens again and
+  /// again, see back_jumps.h.
+  bool timeWentBack(const ros::Time& stamp);
 
   /// No cloud for longer than this (s), while subscribed, is silence.
   static constexpr double kSilenceSeconds = 5.0;
@@ -70,7 +72,6 @@ class DetectorDiagnostics {
 
  private:
   void startAnew();
-  bool goesBackOften() const;
   void fillInput(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillDetection(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void fillTiming(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -79,8 +80,7 @@ class DetectorDiagnostics {
   FrameCounters counters_;
   std::string last_error_;
   FrameView view_;
-  std::uint64_t times_back_ = 0;                           ///< that time went back, since the start
-  std::array<SteadyClock::time_point, 3> last_back_ = {};  ///< the latest first
+  BackJumps back_jumps_;
   bool subscribed_ = false;
   SteadyClock::time_point last_frame_ = SteadyClock::now();  ///< or when the input was subscribed
   const StageTimes* times_ = nullptr;                        ///< only while publish() runs

@@ -102,7 +102,7 @@ void DetectorNodelet::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
 
 void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   startAnewIfTimeWentBack(cloud.header.stamp);
-  diagnostics_->frameReceived();
+  diagnostics_->frameReceived(cloud.header.stamp);
   with_labels_ = labels_.getNumSubscribers() > 0;
   const PrimitiveArray& message = sequence_->process(cloud, with_labels_);
   const std::string& refused = sequence_->problem();
@@ -119,6 +119,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   pipeline().published();
   warnIfHopeless();
   warnIfNotSeenFromOrigin();
+  warnIfOriginIsAssumed();
   tellFoundCamera();
 }
 
@@ -132,6 +133,16 @@ Eigen::Isometry3d DetectorNodelet::lookup(const std::string& target, const std::
 } catch (const tf2::LookupException& error) {
   throw std::runtime_error(std::string(error.what()) +
                            " (rosrun tf2_tools view_frames.py draws the frames that there are)");
+}
+
+void DetectorNodelet::warnIfOriginIsAssumed() {
+  if (told_assumed_origin_ || !sequence_->originIsAssumed()) return;
+  told_assumed_origin_ = true;
+  NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic()
+                                << " are lists without rows and columns in frame '"
+                                << sequence_->sensorHeader().frame_id
+                                << "', and are taken for seen from its origin along its z axis; if the camera was "
+                                << "elsewhere, set sensor_frame to its optical frame");
 }
 
 void DetectorNodelet::warnIfNotSeenFromOrigin() {
@@ -227,7 +238,7 @@ void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
   const std::optional<double> backwards = sequence_->begin(stamp);
   if (!backwards) return;
   marker_writer_.startAnew();
-  if (!diagnostics_->timeWentBack()) {
+  if (!diagnostics_->timeWentBack(stamp)) {
     NODELET_INFO_STREAM(getName() << ": time went back by " << *backwards << " s, starting anew");
   } else if (jump_warning_.ready()) {
     NODELET_WARN_STREAM(getName() << ": stamps on " << input_.getTopic() << " go back again and again (now by "
@@ -242,7 +253,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
     const Params before = pipeline().params();
     pipeline().setParams(fromConfig(config, before));
     if (late_transforms_) late_transforms_->setPatience(pipeline().params().transform_patience);
-    told_hopeless_ = told_not_from_origin_ = told_found_camera_ = false;
+    told_hopeless_ = told_not_from_origin_ = told_assumed_origin_ = told_found_camera_ = false;
     if (level != ~std::uint32_t{0}) {
       NODELET_INFO_STREAM(getName() << ": parameters changed: " << differenceText(pipeline().params(), before));
     }

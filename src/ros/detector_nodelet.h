@@ -45,6 +45,8 @@ class DetectorNodelet : public nodelet::Nodelet {
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
   void warnIfNotSeenFromOrigin();
+  /// As often, where nothing tells: of lists of points whose frame is not called an optical one.
+  void warnIfOriginIsAssumed();
   /// Once, or once more after parameters changed.
   void tellFoundCamera();
   /// Once for each silence: a wrong topic is the most common mistake, and not everybody looks at diagnostics.
@@ -64,6 +66,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   bool with_labels_ = false;  ///< the last cloud was read for them, too
   bool told_hopeless_ = false;
   bool told_not_from_origin_ = false;
+  bool told_assumed_origin_ = false;
   bool told_found_camera_ = false;
   bool told_silent_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0}, jump_warning_{10.0};

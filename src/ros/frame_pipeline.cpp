@@ -9,6 +9,7 @@
 
 #include "cloud_reader.h"
 #include "io/depths_text.h"
+#include "io/share_beyond.h"
 #include "output_clouds.h"
 #include "primitect/detector.h"
 #include "primitect/moved_image.h"
@@ -140,6 +141,12 @@ std::optional<bool> FramePipeline::seenFromOrigin() const {
   if (!has_cloud_) return std::nullopt;
   if (!detector_.result().seen_from_origin) return false;
   return status_ == Status::ok ? std::optional(true) : std::nullopt;
+}
+
+double FramePipeline::shareBeyond() const { return has_cloud_ ? io::shareBeyond(cloud_) : 0.0; }
+
+bool FramePipeline::isListFromOrigin() const {
+  return seenFromOrigin() == true && !cloud_.organized() && !cloud_from_found_camera_;
 }
 
 std::string FramePipeline::problemOf(const Detections& detections) const {

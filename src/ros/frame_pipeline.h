@@ -74,6 +74,12 @@ class FramePipeline {
   /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.
   std::optional<bool> seenFromOrigin() const;
 
+  /// Of what the last cloud measured, the share beyond max_depth; 0 of none.
+  double shareBeyond() const;
+
+  /// True: a list of points, which was searched as if a sensor at the origin had seen it.
+  bool isListFromOrigin() const;
+
   /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.
   bool normalsFaceAway() const { return has_cloud_ && detector_.result().normals_face_away; }
 

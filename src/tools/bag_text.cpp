@@ -5,6 +5,7 @@
 
 #include "core/lower_quartile.h"
 #include "io/shape_text.h"
+#include "io/share_beyond.h"
 #include "tools/format.h"
 
 namespace primitect::tools {
@@ -44,6 +45,8 @@ void BagSummary::add(const io::FrameReport& frame) {
   if (frame.detections.status != Status::ok) return;
   ++searched_;
   elsewhere_ += frame.detections.seen_from_origin ? 0 : 1;
+  assumed_ += frame.origin_assumed ? 1 : 0;
+  beyond_ += frame.beyond;
   milliseconds_.push_back(frame.processing_ms);
   const Counts counts = countsOf(frame.detections);
   for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
@@ -57,6 +60,23 @@ std::string BagSummary::warning() const {
   return std::to_string(elsewhere_) + " of " + std::to_string(clouds_) +
          " clouds are not seen from the origin of their frame along z: shapes are missed, normals turned; " +
          "--sensor_frame says where the camera was";
+}
+
+std::vector<std::string> BagSummary::notes() const {
+  std::vector<std::string> notes;
+  if (assumed_ > 0) {
+    notes.push_back(std::to_string(assumed_) + " of " + std::to_string(clouds_) +
+                    " clouds are lists without rows and columns, taken for seen from the origin of their frame along "
+                    "z; --sensor_frame says where else the camera was");
+  }
+  const double share = searched_ > 0 ? beyond_ / static_cast<double>(searched_) : 0.0;
+  if (share >= io::kMuchBeyond) {
+    notes.push_back(
+        format("%.0f %% of what was measured lies beyond max_depth and is left out; --max_depth says how "
+               "far to look",
+               100.0 * share));
+  }
+  return notes;
 }
 
 std::string BagSummary::text(const std::string& topic) const {

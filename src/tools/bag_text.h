@@ -26,12 +26,16 @@ class BagSummary {
   /// What makes results doubtful, a line; empty: nothing does.
   std::string warning() const;
 
+  /// What may surprise, a line each.
+  std::vector<std::string> notes() const;
+
   bool anySearched() const { return searched_ > 0; }
 
  private:
-  std::size_t clouds_ = 0, searched_ = 0, elsewhere_ = 0;
+  std::size_t clouds_ = 0, searched_ = 0, elsewhere_ = 0, assumed_ = 0;
   std::string problem_;                             ///< of the first that was not searched
   std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
+  double beyond_ = 0.0;                             ///< shares beyond max_depth, their sum
   std::size_t tracks_ = 0;                          ///< that began
   std::vector<double> milliseconds_;
 };

@@ -72,6 +72,7 @@ int run(const tools::DetectBagOptions& options) {
   json.finish();
   if (!json.toStdout()) std::cout << summary.text(outcome.topic);
   if (!summary.warning().empty()) std::cerr << "detect_bag: " << summary.warning() << "\n";
+  for (const std::string& note : summary.notes()) std::cerr << "detect_bag: note: " << note << "\n";
   if (outcome.unusable_transforms > 0) {
     std::cerr << "detect_bag: " << outcome.unusable_transforms << " transforms could not be used\n";
   }

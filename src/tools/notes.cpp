@@ -4,6 +4,7 @@
 #include "tools/notes.h"
 
 #include "io/depths_text.h"
+#include "io/share_beyond.h"
 #include "primitect/noisy_image.h"
 #include "tools/format.h"
 
@@ -61,6 +62,23 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
          sensorAdvice(input.file) + "\n";
 }
 
+std::string beyondText(const DetectInput& input) {
+  const double share = io::shareBeyond(input.cloud);
+  if (share < io::kMuchBeyond || input.cloud.valid_count == 0) return "";
+  return format(
+      "  note: %.0f %% of what was measured lies beyond max_depth (%.4g m) and is left out; --max_depth says "
+      "how far to look\n",
+      100.0 * share, input.range.max);
+}
+
+/// Of points in no order nothing tells where the sensor was; images in other frames do.
+std::string assumedOriginText(const Detections& found, const DetectInput& input) {
+  const bool assumed = found.seen_from_origin && !input.sensor && !input.seen().liesBehind();
+  if (!assumed || input.cloud.organized() || input.cloud.hasNormals()) return "";
+  return "  note: a list of points without normals is taken for seen from its origin along z; --sensor says where else "
+         "the camera was\n";
+}
+
 std::string normalsText(const Detections& found) {
   if (!found.normals_face_away) return "";
   return "  note: most normals of the file face away from the sensor; if they are inward, what is seen from outside "
@@ -82,9 +100,10 @@ std::string intrinsicsText(const io::PointFile& read) {
   const double right = read.intrinsics->cx / read.cloud.width, down = read.intrinsics->cy / read.cloud.height;
   const auto central = [](double share) { return 0.3 <= share && share <= 0.7; };
   if (central(right) && central(down)) return "";
-  return format("  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy, "
-                "for %u x %u pixels?\n",
-                read.intrinsics->cx, read.intrinsics->cy, read.cloud.width, read.cloud.height);
+  return format(
+      "  note: the principal point (%g, %g) is far from the middle of the image; is the order fx,fy,cx,cy, "
+      "for %u x %u pixels?\n",
+      read.intrinsics->cx, read.intrinsics->cy, read.cloud.width, read.cloud.height);
 }
 
 }  // namespace
@@ -102,7 +121,8 @@ std::string ignoredFramesText(const DetectOptions& options) {
 
 std::string notesText(const Detections& found, const DetectInput& input) {
   return unitsText(found, input.seen()) + intrinsicsText(input.file) + foundSensorText(input) +
-         otherFrameText(found, input) + normalsText(found) + noiseText(found);
+         otherFrameText(found, input) + assumedOriginText(found, input) + normalsText(found) + beyondText(input) +
+         noiseText(found);
 }
 
 }  // namespace primitect::tools

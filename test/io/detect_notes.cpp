@@ -30,7 +30,7 @@ TEST_F(DetectNotes, AskWhereUnitsOrFrameCannotBeRight) {
     around_origin += pointLine(0.05 * column, 0.05 * row, i % 8 == 0 ? -0.002 : 0.002);
   }
   EXPECT_EQ(run(write("metres.ply", header + metres)), 0);
-  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+  EXPECT_EQ(out.find("note: lengths"), std::string::npos) << out;
   EXPECT_EQ(run(write("millimetres.ply", header + millimetres)), 0);
   const std::string units = "note: lengths are taken for metres; are they millimetres?";
   EXPECT_NE(out.find(units), std::string::npos) << out;
@@ -49,6 +49,32 @@ TEST_F(DetectNotes, AskWhereUnitsOrFrameCannotBeRight) {
   header.replace(header.find("400"), 3, "600");
   EXPECT_EQ(run(write("through.ply", header + hidden)), 0);
   EXPECT_NE(out.find("note: the points were not seen from the sensor"), std::string::npos) << out;
+}
+
+TEST_F(DetectNotes, SayWhatIsAssumedOfAListOfPoints) {
+  const std::string note = "note: a list of points without normals is taken for seen from its origin along z";
+  std::string wall;
+  for (int i = 0; i < 400; ++i) wall += pointLine(0.05 * (i % 20), 0.05 * (i / 20), 1.0);
+  const std::string head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
+  EXPECT_EQ(run(write("list.pcd", head + "WIDTH 400\nHEIGHT 1\nPOINTS 400\nDATA ascii\n" + wall)), 0);
+  EXPECT_NE(out.find(note), std::string::npos) << out;
+  EXPECT_EQ(run(path("list.pcd") + " --sensor \"0 0 0 0 0 0 1\""), 0);
+  EXPECT_EQ(out.find(note), std::string::npos) << out;
+  EXPECT_EQ(run(write("image.pcd", head + "WIDTH 20\nHEIGHT 20\nPOINTS 400\nDATA ascii\n" + wall)), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+}
+
+TEST_F(DetectNotes, SayHowMuchLiesBeyondTheDepthsThatCount) {
+  std::string two_walls;
+  for (int i = 0; i < 400; ++i) {
+    const double depth = i % 20 < 7 ? 1.0 : 3.0;
+    two_walls += pointLine(0.05 * (i % 20) * depth, 0.05 * (i / 20) * depth, depth);
+  }
+  const std::string head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 20\nHEIGHT 20\n";
+  EXPECT_EQ(run(write("walls.pcd", head + "POINTS 400\nDATA ascii\n" + two_walls)), 0);
+  EXPECT_NE(out.find("note: 65 % of what was measured lies beyond max_depth (2 m)"), std::string::npos) << out;
+  EXPECT_EQ(run(path("walls.pcd") + " --max_depth 4"), 0);
+  EXPECT_EQ(out.find("beyond max_depth"), std::string::npos) << out;
 }
 
 TEST_F(DetectNotes, AskWhereTheOrderOfIntrinsicsCannotBeRight) {

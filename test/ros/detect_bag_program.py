@@ -127,6 +127,16 @@ class DetectBag(unittest.TestCase):
         self.assertIn("1 of 1 clouds are not seen from the origin", done.stderr)
         self.assertEqual(self.run_program(self.bag).stderr, "")
 
+    def test_notes_lists_that_are_taken_for_seen_from_the_origin_and_what_lies_beyond_max_depth(self):
+        points, width, height = wall_and_ball()
+        with rosbag.Bag(self.path("list.bag"), "w") as bag:
+            for frame in ("base", "my_optical_frame"):
+                bag.write("/points", cloud_message(points, width * height, 1, frame=frame, stamp=rospy.Time(1000)),
+                          rospy.Time(1000))
+        done = self.run_program(self.path("list.bag"), "--max_depth", "1")
+        self.assertIn("note: 1 of 2 clouds are lists without rows and columns", done.stderr)
+        self.assertRegex(done.stderr, r"note: \d+ % of what was measured lies beyond max_depth")
+
     def test_ends_with_one_where_the_bag_is_damaged(self):
         with rosbag.Bag(self.path("damaged.bag"), "w", compression="bz2") as bag:
             bag.write("/points", cloud_message(*wall_and_ball(), stamp=rospy.Time(1000)), rospy.Time(1000))

@@ -213,6 +213,21 @@ class SensorFrame(unittest.TestCase):
             for value, true in zip(normal, turned(true_normal((-y, HEIGHT - z, x)))):
                 self.assertAlmostEqual(value, true, delta=0.005)
 
+    def test_without_it_lists_are_said_to_be_taken_for_seen_from_their_origin(self):
+        detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
+        self.assertTrue(detector.ready())
+
+        def warned():
+            for frame in ("my_optical_frame", "base"):
+                answer = detector.ask(cloud_message(POINTS, len(POINTS), 1, frame=frame))
+                self.assertEqual(answer.status, PrimitiveArray.OK)
+                self.assertTrue(answer.seen_from_origin)
+            return [m for m in log.all() if m.name == "/without" and "without rows and columns in frame" in m.msg]
+        warnings = wait_for(warned)
+        self.assertTrue(warnings)
+        self.assertEqual([m.msg for m in warned() if "'base'" not in m.msg], [])
+        self.assertEqual(len(warned()), 1)
+
     def test_without_it_the_log_and_diagnostics_ask_for_it(self):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
         diagnostics = Collector("/diagnostics", DiagnosticArray)

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Bags in a loop and two sources on one topic.
+#include "ros/back_jumps.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace primitect {
+namespace {
+
+using namespace ros_layer;
+using std::chrono::milliseconds;
+
+/// Feeds stamps (s) to it, one each 30 ms by the clock.
+class Feed {
+ public:
+  void operator()(double stamp) {
+    now_ += milliseconds(30);
+    const bool is_back = stamp < last_;
+    last_ = stamp;
+    if (is_back) jumps.back(ros::Time(stamp), now_);
+    jumps.cloud(ros::Time(stamp));
+  }
+  bool often() const { return jumps.often(now_); }
+  void wait(int seconds) { now_ += std::chrono::seconds(seconds); }
+
+  BackJumps jumps;
+
+ private:
+  SteadyClock::time_point now_ = SteadyClock::time_point() + std::chrono::hours(1);
+  double last_ = 0.0;
+};
+
+TEST(BackJumps, OfABagInALoopAreNotOften) {
+  Feed feed;
+  for (int round = 0; round < 8; ++round) {
+    // Of its 51 clouds the first ones may be missed, each time others.
+    for (int k = round % 3; k < 51; ++k) feed(1000.0 + k / 15.0);
+    EXPECT_FALSE(feed.often()) << round;
+  }
+  EXPECT_EQ(feed.jumps.count(), 7u);
+}
+
+TEST(BackJumps, OfTwoSourcesThatTakeTurnsAreOften) {
+  Feed feed;
+  for (int k = 0; k < 3; ++k) {
+    feed(1000.0 + k / 30.0);
+    EXPECT_FALSE(feed.often()) << k;
+    feed(900.0 + k / 30.0);
+  }
+  EXPECT_TRUE(feed.often());
+  feed.wait(9);
+  EXPECT_TRUE(feed.often());
+  feed.wait(2);
+  EXPECT_FALSE(feed.often());
+}
+
+TEST(BackJumps, OfASlowSourceAmongTheCloudsOfAFastOneAreOften) {
+  Feed feed;
+  for (int k = 0; k < 3; ++k) {
+    for (int cloud = 0; cloud < 30; ++cloud) feed(1000.0 + k + cloud / 30.0);
+    feed(900.0 + k);
+  }
+  EXPECT_TRUE(feed.often());
+}
+
+}  // namespace
+}  // namespace primitect
