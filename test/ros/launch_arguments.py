@@ -48,13 +48,18 @@ class LaunchParameters(unittest.TestCase):
 
 class LaunchViews(unittest.TestCase):
 
+    def test_the_first_primitives_tell_the_frame_where_nobody_does(self):
+        for file in FILES:
+            self.assertRegex(roslaunch(*file), r"rviz_in_frame .*/config '?'? *detector/primitives .*:=", file)
+
     def test_the_camera_s_is_the_default(self):
-        for file in FILES + (("demo.launch",),):
-            self.assertIn("config/primitect.rviz", roslaunch(*file), file)
+        for file in FILES:
+            self.assertIn("config/primitect.rviz", roslaunch(*file, "frame:=lens"), file)
+        self.assertIn("config/primitect.rviz", roslaunch("demo.launch"))
 
     def test_the_robot_s_is_that_of_its_base_and_of_whoever_asks(self):
         for file in FILES:
-            for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["view:=robot"]):
+            for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["frame:=lens", "view:=robot"]):
                 self.assertIn("config/robot.rviz", roslaunch(*file, *arguments), (file, arguments))
             self.assertIn("config/primitect.rviz", roslaunch(*file, "frame:=base_link", "view:=camera"), file)
 
