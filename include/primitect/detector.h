@@ -53,6 +53,7 @@ class Detector {
 
   const Params& params() const;
 
+  /// Of the cloud all counts: min_depth and max_depth are for who fills it, as depthRangeOf() (depth_range.h).
   /// Never throws on data: an unusable cloud gives no primitives and the reason in status.
   /// The result is valid until the next call. Throws std::invalid_argument naming a share that is not in (0, 1].
   const Detections& detect(const Cloud& cloud, const Effort& effort = {});
