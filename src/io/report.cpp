@@ -127,6 +127,10 @@ Json fileJson(const FileReport& report) {
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = Json::array();
   for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));
+  if (report.unlikely) {
+    json["unlikely"] = Json::array();
+    for (const Detection& detection : *report.unlikely) json["unlikely"].push_back(primitiveJson(detection));
+  }
   json["timing_ms"] = timingJson(report.timing_ms);
   if (report.repeats > 1) {
     json["repeats"] = report.repeats;

@@ -27,7 +27,8 @@ struct FileReport {
   std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
   Timing timing_ms;                  ///< with several runs: the medians
   int repeats = 1;
-  Timing min_ms, max_ms;  ///< with several runs only
+  Timing min_ms, max_ms;                           ///< with several runs only
+  std::optional<std::vector<Detection>> unlikely;  ///< where it was asked for: what was refused for its confidence
 };
 
 /// One JSON object, ends with a newline:
@@ -35,7 +36,8 @@ struct FileReport {
 /// "sensor": {"position", "orientation", "from"}, "refused": {reason: count}, "primitives": [...], "timing_ms": {...}}.
 /// Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none and a sensor at the
 /// origin. With max_latency also "effort", the share of the samples. A file that could not be read: {"file", "error",
-/// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms".
+/// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms"; where it was asked for
+/// "unlikely", written as "primitives".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.
@@ -51,8 +53,8 @@ struct FrameReport {
   bool damaged = false;               ///< the recording cannot be read there
   double processing_ms = 0.0;
   double beyond = 0.0;  ///< share of what was measured that lies beyond max_depth
-  bool origin_assumed =
-      false;  ///< nothing tells that the sensor was at the origin of the frame, which is no optical one
+  /// Nothing tells that the sensor was at the origin of the frame, which is no optical one.
+  bool origin_assumed = false;
 };
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",

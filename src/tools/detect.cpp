@@ -6,6 +6,7 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "io/label_file.h"
 #include "io/picture.h"
@@ -17,6 +18,7 @@
 #include "tools/output_target.h"
 #include "tools/result_text.h"
 #include "tools/stage_timing.h"
+#include "tools/unlikely.h"
 
 namespace {
 
@@ -57,11 +59,8 @@ void runDetector(primitect::Detector& detector, const tools::DetectInput& input,
 }
 
 /// In the frame of the sensor: the picture is what it saw.
-void writePointOutputs(const Targets& targets, std::size_t index, const primitect::Detector& detector,
+void writePointOutputs(const Targets& targets, std::size_t index, const std::vector<std::uint32_t>& labels,
                        const tools::DetectInput& input, const io::FileReport& report) {
-  if (!targets.labels.wanted() && !targets.picture.wanted()) return;
-  std::vector<std::uint32_t> labels;
-  detector.label(input.cloud, labels);
   if (targets.labels.wanted()) {
     io::writeLabels(targets.labels.path(index), input.file.cloud, report.detections, labels);
   }
@@ -69,6 +68,15 @@ void writePointOutputs(const Targets& targets, std::size_t index, const primitec
   const std::string title = std::filesystem::path(report.file).filename().string();
   const io::LabelledPoints points{input.seen(), input.range, labels, report.detections};
   io::writePicture(targets.picture.path(index), io::drawPicture(points, input.file.intrinsics, title));
+}
+
+void toFrameOfFile(const Eigen::Isometry3d& points_from_sensor, io::FileReport& report) {
+  primitect::transformDetections(points_from_sensor, report.detections);
+  if (!report.unlikely) return;
+  primitect::Detections unlikely;
+  unlikely.items = std::move(*report.unlikely);
+  primitect::transformDetections(points_from_sensor, unlikely);
+  report.unlikely = std::move(unlikely.items);
 }
 
 io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index,
@@ -84,8 +92,11 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   const double bound = input.params.max_latency;
   if (bound > 0.0 && !governor) governor.emplace(bound, primitect::leastShare(input.params));
   runDetector(detector, input, options.repeats, governor, report);
-  writePointOutputs(targets, index, detector, input, report);
-  if (input.sensor) primitect::transformDetections(input.sensor->pointsFromSensor(), report.detections);
+  std::vector<std::uint32_t> labels;
+  if (targets.labels.wanted() || targets.picture.wanted() || options.unlikely) detector.label(input.cloud, labels);
+  writePointOutputs(targets, index, labels, input, report);
+  if (options.unlikely) report.unlikely = tools::tooUnlikely(input, labels);
+  if (input.sensor) toFrameOfFile(input.sensor->pointsFromSensor(), report);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
   if (!targets.json.toStdout()) std::cout << tools::resultText(report, input) << std::flush;
   return report;

@@ -55,6 +55,8 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
                  "orientation of its optical frame (z ahead, x right, y down) in the frame of the file, as tf_echo "
                  "prints them; results are in the frame of the file")
       ->type_name("\"X Y Z QX QY QZ QW\"");
+  app.add_flag("--unlikely", options.unlikely,
+               "also what was refused for its confidence, where nothing else is: why is my object missing?");
   app.add_option("--repeat", raw.repeats, "detect N times in the same points: min, median, max of every stage")
       ->type_name("N");
   app.add_flag(

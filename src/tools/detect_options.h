@@ -20,6 +20,7 @@ struct DetectOptions {
   std::optional<io::SensorPose> sensor;  ///< in the frame of the files; none: at its origin
   ParamLayers params;
   int repeats = 1;
+  bool unlikely = false;  ///< what was too unlikely is wanted, too
 };
 
 /// Nothing when all is said (--help, --version, --print-params, --kernels).

@@ -66,6 +66,15 @@ std::string effortText(const io::FileReport& report) {
   return report.effort ? format(" (max_latency leaves %.0f %%)", 100.0 * *report.effort) : "";
 }
 
+/// What was refused for its confidence, with the same columns.
+std::string unlikelyText(const io::FileReport& report) {
+  if (!report.unlikely) return "";
+  if (report.unlikely->empty()) return "  too unlikely, on points of nothing above: nothing\n";
+  std::string text = "  too unlikely (min_confidence), on points of nothing above:\n";
+  for (std::size_t i = 0; i < report.unlikely->size(); ++i) text += rowText(i + 1, (*report.unlikely)[i]);
+  return text;
+}
+
 /// "Why is my object missing?" in one line.
 std::string refusedText(const Refusals& refusals) {
   const std::string counts = io::refusalsText(refusals);
@@ -127,7 +136,7 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
     text += headingText();
   }
   for (std::size_t i = 0; i < found.items.size(); ++i) text += rowText(i + 1, found.items[i]);
-  text += refusedText(found.refusals);
+  text += unlikelyText(report) + refusedText(found.refusals);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));
 }
 

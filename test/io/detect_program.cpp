@@ -53,6 +53,29 @@ TEST_F(DetectProgram, PrintsHowSureItIsAndWhatItRefused) {
   EXPECT_NE(out.find(" unlikely\n"), std::string::npos) << out;
 }
 
+TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
+  const Json usual = runJson(ball + " --unlikely");
+  EXPECT_EQ(usual["primitives"].size(), 2u);
+  EXPECT_EQ(usual["unlikely"].size(), 0u) << "what is reported is not told twice";
+  EXPECT_FALSE(runJson(ball).contains("unlikely")) << "nobody asked";
+  const Json none = runJson(ball + " --unlikely --min_confidence 1");
+  EXPECT_EQ(none["primitives"].size(), 0u);
+  const auto sphereIn = [](const Json& list) {
+    return std::find_if(list.begin(), list.end(), [](const Json& item) { return item["type"] == "sphere"; });
+  };
+  const auto unlikely = sphereIn(none["unlikely"]), found = sphereIn(usual["primitives"]);
+  ASSERT_NE(unlikely, none["unlikely"].end()) << none.dump(1);
+  EXPECT_NEAR((*unlikely)["radius"].get<double>(), 0.1, 0.005);
+  EXPECT_LT((*unlikely)["confidence"].get<double>(), 1.0);
+  // In the frame of the file, as all else.
+  const Json moved = runJson(ball + " --unlikely --min_confidence 1 --sensor \"0 0 -0.2 0 0 0 1\"");
+  const auto seen = sphereIn(moved["unlikely"]);
+  ASSERT_NE(seen, moved["unlikely"].end()) << moved.dump(1);
+  EXPECT_NEAR((*seen)["center"][2].get<double>(), (*found)["center"][2].get<double>(), 0.005);
+  EXPECT_EQ(run(ball + " --unlikely --min_confidence 1"), 0);
+  EXPECT_NE(out.find("too unlikely (min_confidence), on points of nothing above:"), std::string::npos) << out;
+}
+
 TEST_F(DetectProgram, PrintsWhereAPlaneFaces) {
   EXPECT_EQ(run(ball), 0);
   EXPECT_NE(out.find("  normal or axis x y z  "), std::string::npos) << out;
