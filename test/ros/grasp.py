@@ -4,25 +4,16 @@
 """grasp_of() of docs/ros_api.md, run as it stands there: where a can stands, and what is known of that in other frames
 than its own."""
 import math
-import os
-import re
 import sys
 import unittest
 
 import numpy
+from documented import documented
 from primitect.msg import Primitive
 
 SOURCE = sys.argv.pop(1)
 ACROSS, ALONG = 0.0004 ** 2, 1e6  # m^2
 LID, TABLE = 3, 1
-
-
-def documented():
-    with open(os.path.join(SOURCE, "docs", "ros_api.md"), encoding="utf-8") as file:
-        blocks = re.findall(r"```python\n(.*?)```", file.read(), re.S)
-    names = {}
-    exec([block for block in blocks if "def grasp_of" in block][0], names)
-    return names["grasp_of"]
 
 
 def can(lean, down=False):
@@ -44,7 +35,7 @@ PLANES = [Primitive(id=TABLE, position_stddev=0.0002), Primitive(id=LID, positio
 
 class Grasp(unittest.TestCase):
     def setUp(self):
-        self.grasp_of = documented()
+        self.grasp_of = documented(SOURCE, "grasp_of")
 
     def test_knows_across_the_axis_what_a_milliradian_hides_in_the_frame(self):
         for down in (False, True):

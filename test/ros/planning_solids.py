@@ -3,23 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """solid_of() of docs/ros_api.md, run as it stands there: its solids are where the primitives are."""
 import math
-import os
-import re
 import sys
 import unittest
 
+from documented import documented
 from primitect.msg import Primitive
 from shape_msgs.msg import SolidPrimitive
 
 SOURCE = sys.argv.pop(1)
-
-
-def documented():
-    with open(os.path.join(SOURCE, "docs", "ros_api.md"), encoding="utf-8") as file:
-        blocks = re.findall(r"```python\n(.*?)```", file.read(), re.S)
-    names = {}
-    exec([block for block in blocks if "def solid_of" in block][0], names)
-    return names["solid_of"]
 
 
 def turned(q, v):
@@ -44,7 +35,7 @@ def primitive(kind, **fields):
 
 class Solids(unittest.TestCase):
     def setUp(self):
-        self.solid_of = documented()
+        self.solid_of = documented(SOURCE, "solid_of")
 
     def expect_near(self, point, other):
         for a, b in zip(point, other):
