@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "eval/case_score.h"
-#include "eval/methods.h"
 #include "eval/depth_frames.h"
+#include "eval/methods.h"
 
 namespace {
 

@@ -44,7 +44,8 @@ struct PointsChoice {
   Shape shape;
   /// It is a cylinder, and a cone explains them nearly as well, or better but is sharper than the limits.
   bool or_cone = false;
-  /// That cone is within the limits and of 4 deg or more: which of the two it is nobody can tell.
+  /// It is a cylinder, and a cone of 4 deg or more within the limits explains them nearly as well: which of the two
+  /// it is nobody can tell.
   bool either = false;
 };
 

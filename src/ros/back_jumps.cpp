@@ -10,7 +10,7 @@
 namespace primitect::ros_layer {
 
 void BackJumps::cloud(const ros::Time& stamp) {
-  if (clouds_ == 0) begin_ = stamp;
+  if (!begin_) begin_ = stamp;
   ++clouds_;
 }
 
@@ -18,10 +18,11 @@ void BackJumps::back(const ros::Time& stamp, SteadyClock::time_point now) {
   // Two sources take turns; of a loop some of the first clouds may be missed.
   constexpr std::uint64_t kManyClouds = 10;
   constexpr double kSamePlaceSeconds = 0.5;
-  const bool loop = clouds_ >= kManyClouds && std::abs(stamp.toSec() - begin_.toSec()) < kSamePlaceSeconds;
+  const bool loop = begin_ && clouds_ >= kManyClouds && std::abs(stamp.toSec() - begin_->toSec()) < kSamePlaceSeconds;
   ++count_;
   clouds_ = 0;
   if (loop) return;
+  begin_ = stamp;
   ++suspicious_;
   std::rotate(last_.begin(), last_.end() - 1, last_.end());
   last_.front() = now;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "steady_time.h"
 
@@ -18,7 +19,8 @@ class BackJumps {
   void cloud(const ros::Time& stamp);
 
   /// The stamp of the next cloud goes back, at this time by the clock. A bag that is played in a loop goes back to
-  /// where it began, after many clouds: that is no sign of two sources.
+  /// where it began, after many clouds: that is no sign of two sources, which go on. Of a loop of a few clouds it
+  /// cannot be told.
   void back(const ros::Time& stamp, SteadyClock::time_point now);
 
   /// Stamps went back three times within 10 s, but for those of a bag in a loop.
@@ -28,8 +30,8 @@ class BackJumps {
   std::uint64_t count() const { return count_; }
 
  private:
-  ros::Time begin_;           ///< stamp of the first cloud, or of the last one that went back
-  std::uint64_t clouds_ = 0;  ///< since then
+  std::optional<ros::Time> begin_;  ///< stamp of the first cloud, or of the last that went back elsewhere
+  std::uint64_t clouds_ = 0;        ///< since stamps went back
   std::uint64_t count_ = 0, suspicious_ = 0;
   std::array<SteadyClock::time_point, 3> last_ = {};  ///< suspicious ones, the latest first
 };

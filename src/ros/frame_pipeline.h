@@ -77,7 +77,8 @@ class FramePipeline {
   /// Of what the last cloud measured, the share beyond max_depth; 0 of none.
   double shareBeyond() const;
 
-  /// True: a list of points, which was searched as if a sensor at the origin had seen it.
+  /// True: a list of points, which was searched as if a sensor at the origin had seen it. Also of one with normals: by
+  /// default they are turned towards the origin.
   bool isListFromOrigin() const;
 
   /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.

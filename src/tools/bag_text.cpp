@@ -42,11 +42,11 @@ std::string frameLine(const io::FrameReport& frame) {
 void BagSummary::add(const io::FrameReport& frame) {
   ++clouds_;
   if (problem_.empty()) problem_ = frame.problem;
+  beyond_ += frame.beyond;
   if (frame.detections.status != Status::ok) return;
   ++searched_;
   elsewhere_ += frame.detections.seen_from_origin ? 0 : 1;
   assumed_ += frame.origin_assumed ? 1 : 0;
-  beyond_ += frame.beyond;
   milliseconds_.push_back(frame.processing_ms);
   const Counts counts = countsOf(frame.detections);
   for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
@@ -69,7 +69,7 @@ std::vector<std::string> BagSummary::notes() const {
                     " clouds are lists without rows and columns, taken for seen from the origin of their frame along "
                     "z; --sensor_frame says where else the camera was");
   }
-  const double share = searched_ > 0 ? beyond_ / static_cast<double>(searched_) : 0.0;
+  const double share = clouds_ > 0 ? beyond_ / static_cast<double>(clouds_) : 0.0;
   if (share >= io::kMuchBeyond) {
     notes.push_back(
         format("%.0f %% of what was measured lies beyond max_depth and is left out; --max_depth says how "

@@ -71,7 +71,8 @@ std::string beyondText(const DetectInput& input) {
       100.0 * share, input.range.max);
 }
 
-/// Of points in no order nothing tells where the sensor was; images in other frames do.
+/// Of points in no order nothing tells where the sensor was; images in other frames do. Normals of a file stay as they
+/// are.
 std::string assumedOriginText(const Detections& found, const DetectInput& input) {
   const bool assumed = found.seen_from_origin && !input.sensor && !input.seen().liesBehind();
   if (!assumed || input.cloud.organized() || input.cloud.hasNormals()) return "";

@@ -168,6 +168,7 @@ TEST(RefineOnPoints, SaysWhereAConeThatIsSharperThanTheLimitsWouldBeBetter) {
   const PointsChoice of_tapered = choice(samplesOfTapered(10.0 * kDegree, 1000, 52));
   EXPECT_EQ(kindOf(of_tapered.shape), Kind::cylinder);
   EXPECT_TRUE(of_tapered.or_cone);
+  EXPECT_FALSE(of_tapered.either) << "that cone is not within the limits";
   EXPECT_FALSE(choice(samplesOfCan(1000, 53)).or_cone);
   params.max_radius = 0.0495;  // the fit of the can is beyond: that is no cone
   EXPECT_FALSE(choice(samplesOfCan(1000, 53)).or_cone);
@@ -219,6 +220,7 @@ TEST(RefineOnPoints, StripsOfConesAtABorderAreCones) {
 TEST(RefineOnPoints, SaysWhereNobodyCanTellAConeFromACylinder) {
   EXPECT_GE(choicesOnStrips(6.0 * kDegree).either, 5);
   EXPECT_EQ(choicesOnStrips(0.1 * kDegree).either, 0);
+  EXPECT_LE(choicesOnStrips(2.0 * kDegree).either, 3) << "most cones that fit are sharper than 4 deg";
 }
 
 TEST(AsCylinder, TouchesAConeAlongTheLineThatThePointsLieAround) {

@@ -58,10 +58,37 @@ TEST(BackJumps, OfTwoSourcesThatTakeTurnsAreOften) {
 }
 
 TEST(BackJumps, OfASlowSourceAmongTheCloudsOfAFastOneAreOften) {
+  for (const int clouds_between : {6, 10, 12, 15, 30}) {
+    Feed feed;
+    bool often = false;
+    for (int k = 0; k < 10; ++k) {
+      const double seconds = k * clouds_between / 30.0;
+      for (int cloud = 0; cloud < clouds_between; ++cloud) feed(1000.0 + seconds + cloud / 30.0);
+      feed(900.0 + seconds);
+      often = often || feed.often();
+    }
+    EXPECT_TRUE(often) << clouds_between;
+  }
+}
+
+TEST(BackJumps, ThatAreFarApartAreNotOften) {
   Feed feed;
-  for (int k = 0; k < 3; ++k) {
-    for (int cloud = 0; cloud < 30; ++cloud) feed(1000.0 + k + cloud / 30.0);
+  for (int k = 0; k < 6; ++k) {
+    feed(1000.0 + k);
     feed(900.0 + k);
+    EXPECT_FALSE(feed.often()) << k;
+    feed.wait(6);
+  }
+}
+
+TEST(BackJumps, OfTwoSourcesAreOftenAfterALoopToo) {
+  Feed feed;
+  for (int round = 0; round < 3; ++round) {
+    for (int k = 0; k < 20; ++k) feed(1000.0 + k / 15.0);
+  }
+  for (int k = 0; k < 4; ++k) {
+    feed(2000.0 + k / 30.0);
+    feed(1500.0 + k / 30.0);
   }
   EXPECT_TRUE(feed.often());
 }

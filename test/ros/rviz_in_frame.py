@@ -30,12 +30,16 @@ class RvizInFrame(unittest.TestCase):
 
     def given(self, view, topic, frame):
         """What RViz is given once primitives in this frame came."""
-        publisher = rospy.Publisher(topic, PrimitiveArray, queue_size=1)
-        program = subprocess.Popen([sys.executable, SCRIPT, "/views", view, topic, "/a:=/b"], env=self.environment)
+        publisher = rospy.Publisher(topic, PrimitiveArray, queue_size=10)
+        program = subprocess.Popen([sys.executable, SCRIPT, "/views", view, "/remapped", "/remapped:=" + topic], env=self.environment)
         self.addCleanup(program.kill)
         self.assertTrue(wait_for(lambda: publisher.get_num_connections() > 0))
         self.assertFalse(os.path.exists(self.told))
+        waiting = PrimitiveArray(status=PrimitiveArray.NO_TRANSFORM)
+        waiting.header.frame_id = "frame_of_the_cloud"
+        publisher.publish(waiting)
         message = PrimitiveArray()
+        publisher.publish(message)  # of no frame
         message.header.frame_id = frame
         publisher.publish(message)
         self.assertEqual(program.wait(PATIENCE), 0)
@@ -43,7 +47,7 @@ class RvizInFrame(unittest.TestCase):
             return file.read().split("\n")[:-1]
 
     def test_takes_the_camera_s_view_and_its_frame_without_the_slash_of_tf(self):
-        self.assertEqual(self.given("", "/one", "/lens"), ["-d", "/views/primitect.rviz", "-f", "lens", "/a:=/b"])
+        self.assertEqual(self.given("", "/one", "/lens"), ["-d", "/views/primitect.rviz", "-f", "lens", "/remapped:=/one"])
 
     def test_takes_the_robot_s_view_in_its_base_and_where_it_is_told_to(self):
         self.assertEqual(self.given("", "/two", "base_link")[1:4], ["/views/robot.rviz", "-f", "base_link"])

@@ -24,6 +24,9 @@ TEST(Hall, HoldsUpToNineThingsAndInTimeEveryKindOfThem) {
     const World world = hall(seed);
     int things = 0;
     for (std::size_t i = kFirst; i < world.bodies().size(); ++i) {
+      if (const Frustum* cone = std::get_if<Frustum>(&world.bodies()[i].solid)) {
+        EXPECT_TRUE(cone->half_angle > 0.13 && cone->half_angle < 0.32) << cone->half_angle;
+      }
       ++seen[world.bodies()[i].name];
       things += world.bodies()[i].name != "foot";
     }

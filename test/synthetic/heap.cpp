@@ -51,6 +51,7 @@ TEST(Heap, HoldsThePromisedNumbersAndInTimeEveryKindOfThingInAllPoses) {
   }
   for (const char* name : {"sphere", "cylinder", "cup", "bowl", "cone", "pot", "box"}) EXPECT_GE(seen[name], 5) << name;
   EXPECT_GT(askew, 0.4 * things);
+  EXPECT_LT(askew, 0.75 * things);
 }
 
 /// Whether, moved down by this (m), a point of the body would be in the table or another one.
