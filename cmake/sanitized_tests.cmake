@@ -7,7 +7,7 @@
 # Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
 # parts have tests of their own, and detect_program starts the program, too.
 set(PRIMITECT_NOT_SANITIZED paper_dataset small_scene touching_nees mechanical_part tabletop lying_tubes close_heights
-  seen_lengths detect_sensor detect_runs tracked_tables unseen_ends tapered_cups cone_tip)
+  seen_lengths detect_sensor detect_runs tracked_tables unseen_ends tapered_cups cone_tip heap)
 # Those that must know at compile time whether they have sanitizers.
 set(PRIMITECT_KNOW_SANITIZERS allocations frame_memory)
 
