@@ -4,8 +4,6 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-file(STRINGS ${PROJECT_SOURCE_DIR}/package.xml version_line REGEX "<version>.*</version>")
-string(REGEX REPLACE ".*<version>(.*)</version>.*" "\\1" package_version "${version_line}")
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/${PROJECT_NAME})
 
 target_compile_features(primitect INTERFACE cxx_std_17)

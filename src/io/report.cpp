@@ -106,6 +106,12 @@ Json timingJson(const Timing& timing) {
   return json;
 }
 
+Json primitivesJson(const Detections& found) {
+  Json json = Json::array();
+  for (const Detection& detection : found.items) json.push_back(primitiveJson(detection));
+  return json;
+}
+
 Json fileJson(const FileReport& report) {
   Json json;
   json["file"] = report.file;
@@ -125,12 +131,8 @@ Json fileJson(const FileReport& report) {
   json["seen_from_origin"] = found.seen_from_origin;
   json["sensor"] = sensorJson(report);
   json["refused"] = refusalsJson(found.refusals);
-  json["primitives"] = Json::array();
-  for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));
-  if (report.unlikely) {
-    json["unlikely"] = Json::array();
-    for (const Detection& detection : *report.unlikely) json["unlikely"].push_back(primitiveJson(detection));
-  }
+  json["primitives"] = primitivesJson(found);
+  if (report.unlikely) json["unlikely"] = primitivesJson(*report.unlikely);
   json["timing_ms"] = timingJson(report.timing_ms);
   if (report.repeats > 1) {
     json["repeats"] = report.repeats;
@@ -152,8 +154,7 @@ Json frameObject(const FrameReport& report) {
   json["samples"] = found.samples;
   json["seen_from_origin"] = found.seen_from_origin;
   json["processing_ms"] = report.processing_ms;
-  json["primitives"] = Json::array();
-  for (const Detection& detection : found.items) json["primitives"].push_back(primitiveJson(detection));
+  json["primitives"] = primitivesJson(found);
   return json;
 }
 

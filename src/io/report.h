@@ -27,8 +27,8 @@ struct FileReport {
   std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
   Timing timing_ms;                  ///< with several runs: the medians
   int repeats = 1;
-  Timing min_ms, max_ms;                           ///< with several runs only
-  std::optional<std::vector<Detection>> unlikely;  ///< where it was asked for: what was refused for its confidence
+  Timing min_ms, max_ms;               ///< with several runs only
+  std::optional<Detections> unlikely;  ///< where it was asked for: what was refused for its confidence
 };
 
 /// One JSON object, ends with a newline:

@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "synthetic/clutter_objects.h"
 #include "synthetic/poses.h"
+#include "synthetic/room.h"
 #include "synthetic/scene_layout.h"
 #include "synthetic/soft_objects.h"
 #include "synthetic/tabletop.h"
@@ -40,16 +41,9 @@ std::optional<std::vector<Place>> drawPlaces(const std::vector<Pile>& piles, Ran
   return places;
 }
 
-/// A wall across x at this distance, turned around the middle of the room.
-void addWall(double distance, double yaw, World& world) {
-  world.add("wall", Sheet{1.5, 6.0},
-            Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::Translation3d(distance, 0.0, 1.5) *
-                Eigen::Isometry3d(Eigen::AngleAxisd(-kPi / 2, Vec3::UnitY())));
-}
-
 World drawRoom(Random& random) {
   World world;
-  world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
+  addFloor(world);
   // Wide enough for the things at their widest reach and their own half length.
   const double half_x = random.uniform(0.62, 0.75), half_y = random.uniform(0.65, 0.90);
   if (random.below(4) == 0) {
@@ -59,9 +53,7 @@ World drawRoom(Random& random) {
     const double side = random.below(2) == 0 ? kPi / 2 : -kPi / 2, away = random.uniform(2.8, 3.6);
     if (random.below(2) == 0) addWall(away, side, world);
   }
-  constexpr double kThickness = 0.03;
-  world.add("table", Box{half_x, half_y, kThickness / 2},
-            Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
+  addTable(half_x, half_y, world);
   return world;
 }
 

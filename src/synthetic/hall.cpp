@@ -10,6 +10,7 @@
 #include "core/random.h"
 #include "synthetic/clutter_objects.h"
 #include "synthetic/poses.h"
+#include "synthetic/room.h"
 #include "synthetic/scene_layout.h"
 
 namespace primitect::synthetic {
@@ -69,12 +70,10 @@ Pile drawThing(Random& random) {
   return kDraw[random.below(kDraw.size())](random);
 }
 
-/// Across x, and turned from there about z by this (rad).
-void addWall(double yaw, Random& random, World& world) {
+/// Across x, and turned from there about z by nearly this (rad).
+void drawWall(double yaw, Random& random, World& world) {
   const double away = random.uniform(1.8, 3.0), turn = yaw + random.uniform(-0.3, 0.3);
-  world.add("wall", Sheet{1.5, 6.0},
-            Eigen::AngleAxisd(turn, Vec3::UnitZ()) * Eigen::Translation3d(away, 0.0, 1.5) *
-                Eigen::Isometry3d(Eigen::AngleAxisd(-kPi / 2, Vec3::UnitY())));
+  addWall(away, turn, world);
 }
 
 }  // namespace
@@ -84,9 +83,9 @@ World hall(std::uint64_t seed) {
   constexpr double kGap = 0.02;  // m
   Random random((2 * seed) ^ 0x68616c6cU);
   World world;
-  world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
-  addWall(0.0, random, world);
-  addWall(kPi / 2, random, world);
+  addFloor(world);
+  drawWall(0.0, random, world);
+  drawWall(kPi / 2, random, world);
   const std::size_t count = 4 + random.below(6);
   std::vector<Object> placed;
   std::vector<Place> places;

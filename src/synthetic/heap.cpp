@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "core/random.h"
 #include "synthetic/clutter_objects.h"
@@ -14,6 +15,7 @@
 #include "synthetic/intersections_hollow.h"
 #include "synthetic/intersections_traced.h"
 #include "synthetic/poses.h"
+#include "synthetic/room.h"
 #include "synthetic/tabletop.h"
 
 namespace primitect::synthetic {
@@ -43,16 +45,19 @@ double fallOfLast(const World& world, std::size_t first) {
   const Body& body = world.bodies().back();
   const Vec3 middle = middleOf(body);
   const double reach = reachOf(body);
+  std::vector<const Body*> near;
+  for (std::size_t i = first; i + 1 < world.bodies().size(); ++i) {
+    const Body& other = world.bodies()[i];
+    if ((middleOf(other) - middle).head<2>().norm() <= reach + reachOf(other)) near.push_back(&other);
+  }
   double fall = std::numeric_limits<double>::infinity();
   for (double x = middle.x() - reach; x <= middle.x() + reach; x += kStep) {
     for (double y = middle.y() - reach; y <= middle.y() + reach; y += kStep) {
       const std::optional<double> bottom = heightAt(body, x, y, false);
       if (!bottom) continue;
       double ground = kTableHeight;
-      for (std::size_t i = first; i + 1 < world.bodies().size(); ++i) {
-        const Body& other = world.bodies()[i];
-        if ((middleOf(other) - middle).head<2>().norm() > reach + reachOf(other)) continue;
-        if (const std::optional<double> top = heightAt(other, x, y, true)) ground = std::max(ground, *top);
+      for (const Body* other : near) {
+        if (const std::optional<double> top = heightAt(*other, x, y, true)) ground = std::max(ground, *top);
       }
       fall = std::min(fall, *bottom - ground);
     }
@@ -93,12 +98,10 @@ void drop(const Object& thing, double reach, std::size_t first, Random& random, 
 }  // namespace
 
 World heap(std::uint64_t seed) {
-  constexpr double kThickness = 0.03;
   Random random((2 * seed) ^ 0x68656170U);
   World world;
-  world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
-  world.add("table", Box{0.7, 0.8, kThickness / 2},
-            Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
+  addFloor(world);
+  addTable(0.7, 0.8, world);
   const std::size_t first = world.bodies().size();
   const std::size_t count = 12 + random.below(17), shapeless = random.below(3);
   const double reach = random.uniform(0.12, 0.25);

@@ -11,6 +11,7 @@
 #include "synthetic/camera.h"
 #include "synthetic/poses.h"
 #include "synthetic/raycast.h"
+#include "synthetic/room.h"
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop_objects.h"
 
@@ -113,12 +114,9 @@ bool allVisible(const World& world, std::size_t first_body) {
 
 World emptyRoom() {
   World world;
-  const Eigen::Isometry3d wall_pose(Eigen::Translation3d(2.4, 0.0, 1.5) * Eigen::AngleAxisd(-kPi / 2, Vec3::UnitY()));
-  world.add("floor", Sheet{6.0, 6.0}, Eigen::Isometry3d::Identity());
-  world.add("wall", Sheet{1.5, 6.0}, wall_pose);
-  constexpr double kThickness = 0.03;
-  world.add("table", Box{kTableHalfX, kTableHalfY, kThickness / 2},
-            Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, kTableHeight - kThickness / 2)));
+  addFloor(world);
+  addWall(2.4, 0.0, world);
+  addTable(kTableHalfX, kTableHalfY, world);
   return world;
 }
 

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "io/label_file.h"
 #include "io/picture.h"
@@ -72,11 +71,7 @@ void writePointOutputs(const Targets& targets, std::size_t index, const std::vec
 
 void toFrameOfFile(const Eigen::Isometry3d& points_from_sensor, io::FileReport& report) {
   primitect::transformDetections(points_from_sensor, report.detections);
-  if (!report.unlikely) return;
-  primitect::Detections unlikely;
-  unlikely.items = std::move(*report.unlikely);
-  primitect::transformDetections(points_from_sensor, unlikely);
-  report.unlikely = std::move(unlikely.items);
+  if (report.unlikely) primitect::transformDetections(points_from_sensor, *report.unlikely);
 }
 
 io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index,

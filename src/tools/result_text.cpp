@@ -61,6 +61,12 @@ std::string rowText(std::size_t number, const Detection& detection) {
   return row + (remark.empty() ? "" : "  " + remark) + "\n";
 }
 
+std::string rowsText(const Detections& found) {
+  std::string text;
+  for (std::size_t i = 0; i < found.items.size(); ++i) text += rowText(i + 1, found.items[i]);
+  return text;
+}
+
 /// What max_latency left of the samples; empty without it.
 std::string effortText(const io::FileReport& report) {
   return report.effort ? format(" (max_latency leaves %.0f %%)", 100.0 * *report.effort) : "";
@@ -69,10 +75,8 @@ std::string effortText(const io::FileReport& report) {
 /// What was refused for its confidence, with the same columns.
 std::string unlikelyText(const io::FileReport& report) {
   if (!report.unlikely) return "";
-  if (report.unlikely->empty()) return "  too unlikely, on points of nothing above: nothing\n";
-  std::string text = "  too unlikely (min_confidence), on points of nothing above:\n";
-  for (std::size_t i = 0; i < report.unlikely->size(); ++i) text += rowText(i + 1, (*report.unlikely)[i]);
-  return text;
+  if (report.unlikely->items.empty()) return "  too unlikely, on points of nothing above: nothing\n";
+  return "  too unlikely (min_confidence), on points of nothing above:\n" + rowsText(*report.unlikely);
 }
 
 /// "Why is my object missing?" in one line.
@@ -135,8 +139,7 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
   } else {
     text += headingText();
   }
-  for (std::size_t i = 0; i < found.items.size(); ++i) text += rowText(i + 1, found.items[i]);
-  text += unlikelyText(report) + refusedText(found.refusals);
+  text += rowsText(found) + unlikelyText(report) + refusedText(found.refusals);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));
 }
 

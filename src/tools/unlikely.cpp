@@ -9,7 +9,7 @@
 
 namespace primitect::tools {
 
-std::vector<Detection> tooUnlikely(const DetectInput& input, const std::vector<std::uint32_t>& labels) {
+Detections tooUnlikely(const DetectInput& input, const std::vector<std::uint32_t>& labels) {
   constexpr double kMostly = 0.5;
   Params params = input.params;
   params.min_confidence = 0.0;
@@ -23,11 +23,12 @@ std::vector<Detection> tooUnlikely(const DetectInput& input, const std::vector<s
     ++all[second[i] - 1];
     of_nothing[second[i] - 1] += labels[i] == 0 ? 1 : 0;
   }
-  std::vector<Detection> result;
+  Detections result = found;
+  result.items.clear();
   for (std::size_t k = 0; k < found.items.size(); ++k) {
     const bool unlikely = found.items[k].confidence < static_cast<float>(input.params.min_confidence);
     const bool elsewhere = static_cast<double>(of_nothing[k]) >= kMostly * static_cast<double>(all[k]);
-    if (unlikely && elsewhere) result.push_back(found.items[k]);
+    if (unlikely && elsewhere) result.items.push_back(found.items[k]);
   }
   return result;
 }

@@ -14,6 +14,6 @@ namespace primitect::tools {
 /// Shapes below min_confidence that a second search, with min_confidence 0, finds mostly on points of which the first
 /// made nothing: labels of the input's cloud by the first (Detector::label). The second may see the rest a little
 /// differently, which is no matter here. In the frame of the sensor.
-std::vector<Detection> tooUnlikely(const DetectInput& input, const std::vector<std::uint32_t>& labels);
+Detections tooUnlikely(const DetectInput& input, const std::vector<std::uint32_t>& labels);
 
 }  // namespace primitect::tools

@@ -31,7 +31,8 @@ class RvizInFrame(unittest.TestCase):
     def given(self, view, topic, frame):
         """What RViz is given once primitives in this frame came."""
         publisher = rospy.Publisher(topic, PrimitiveArray, queue_size=10)
-        program = subprocess.Popen([sys.executable, SCRIPT, "/views", view, "/remapped", "/remapped:=" + topic], env=self.environment)
+        command = [sys.executable, SCRIPT, "/views", view, "/remapped", "/remapped:=" + topic]
+        program = subprocess.Popen(command, env=self.environment)
         self.addCleanup(program.kill)
         self.assertTrue(wait_for(lambda: publisher.get_num_connections() > 0))
         self.assertFalse(os.path.exists(self.told))
