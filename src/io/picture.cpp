@@ -10,7 +10,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "io/length_text.h"
-#include "io/name_tags.h"
 #include "io/outlines.h"
 #include "io/percent_text.h"
 #include "io/shape_text.h"
@@ -77,25 +76,6 @@ std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const View& view)
   return anchors;
 }
 
-std::string tagText(const Detection& detection) {
-  const std::string confidence = percentText(detection.confidence);
-  return nameText(detection) + (confidence.empty() ? "" : "  " + confidence);
-}
-
-/// Small things first, planes last: what comes first is named nearest to its place.
-std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
-  const std::vector<cv::Point> anchors = anchorsOf(points, view);
-  std::vector<NameTag> tags;
-  for (const bool planes : {false, true}) {
-    for (std::size_t i = 0; i < anchors.size(); ++i) {
-      const Detection& detection = points.detections.items[i];
-      const Kind kind = kindOf(detection.shape);
-      if ((kind == Kind::plane) == planes) tags.push_back({tagText(detection), anchors[i], bgr(kind)});
-    }
-  }
-  return tags;
-}
-
 std::string countText(int count, Kind kind) {
   return std::to_string(count) + " " + kindName(kind) + (count == 1 ? "" : "s");
 }
@@ -131,6 +111,22 @@ cv::Mat drawCaption(const LabelledPoints& points, const std::string& title, int 
 }
 
 }  // namespace
+
+std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
+  const std::vector<cv::Point> anchors = anchorsOf(points, view);
+  std::vector<NameTag> tags;
+  for (const bool planes : {false, true}) {
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+      const Detection& detection = points.detections.items[i];
+      const Kind kind = kindOf(detection.shape);
+      if ((kind == Kind::plane) != planes) continue;
+      const std::string confidence = percentText(detection.confidence);
+      const std::string name = std::to_string(i + 1) + "  " + nameText(detection);
+      tags.push_back({name + (confidence.empty() ? "" : "  " + confidence), anchors[i], bgr(kind)});
+    }
+  }
+  return tags;
+}
 
 cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics>& lens, const std::string& title) {
   const Cloud& cloud = points.cloud;

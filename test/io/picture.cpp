@@ -115,6 +115,22 @@ TEST(Pictures, ShowUnorganizedCloudsAsDots) {
   EXPECT_LE(distanceToColor(picture, place, Kind::sphere), 3.0);
 }
 
+TEST(Pictures, NumberTheShapesAsTheListDoes) {
+  const Cloud cloud = wall();
+  Detections detections = only(Plane{{0, 0, 2}, {0, 0, -1}}, {});
+  detections.items.push_back(only(Sphere{{0.1, -0.05, 1.0}, 0.1}, {}).items[0]);
+  std::vector<std::uint32_t> labels(cloud.size(), 1);
+  for (std::size_t row = 100; row < 200; ++row) {
+    for (std::size_t column = 300; column < 400; ++column) labels[row * 640 + column] = 2;
+  }
+  const auto tags = tagsOf({cloud, {}, labels, detections}, cameraView(kLens, 640, 480, 1));
+  ASSERT_EQ(tags.size(), 2u);
+  EXPECT_EQ(tags[0].text.substr(0, 9), "2  sphere");
+  EXPECT_EQ(tags[1].text.substr(0, 8), "1  plane");
+  EXPECT_LT(cv::norm(tags[0].anchor - cv::Point(350, 150)), 20.0);
+  EXPECT_GT(cv::norm(tags[1].anchor - cv::Point(350, 150)), 70.0);
+}
+
 TEST(Pictures, AreDrawnOfNothing) {
   const Detections none;
   const std::vector<std::uint32_t> labels;
