@@ -26,7 +26,8 @@ PrimitiveArray unreadable(const RecordedCloud& cloud) {
 
 }  // namespace
 
-BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use) {
+BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use,
+                        const ShowPoints& show) {
   const BagClouds clouds(job);
   std::optional<BagTransforms> transforms;
   if (!job.params.sensor_frame.empty() || !job.params.target_frame.empty()) transforms.emplace(clouds.bags());
@@ -40,15 +41,28 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
   std::optional<ros::Time> first;
   clouds.forEach([&](const RecordedCloud& recorded) {
     if (recorded.header && sequence.begin(recorded.header->stamp)) markers.startAnew();
-    const PrimitiveArray message = recorded.cloud ? sequence.process(*recorded.cloud) : unreadable(recorded);
+    const PrimitiveArray message =
+        recorded.cloud ? sequence.process(*recorded.cloud, bool{show}) : unreadable(recorded);
     if (output) output->write(recorded.recorded, message, markers.update(message, sequence.markerStyle()));
     if (recorded.cloud) sequence.pipeline().published();
     if (!first) first = recorded.recorded;
     const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;
-    use({recorded.recorded.toSec() - first->toSec(), message.header.stamp.sec, message.header.stamp.nsec,
-         message.header.frame_id, fromMessage(message), refused.empty() ? sequence.frameProblem() : refused,
-         recorded.damaged, 1000.0 * message.processing_time, recorded.cloud ? sequence.pipeline().shareBeyond() : 0.0,
-         recorded.cloud && sequence.originIsAssumed()});
+    const Detections detections = fromMessage(message);
+    const io::FrameReport report = {recorded.recorded.toSec() - first->toSec(),
+                                    message.header.stamp.sec,
+                                    message.header.stamp.nsec,
+                                    message.header.frame_id,
+                                    detections,
+                                    refused.empty() ? sequence.frameProblem() : refused,
+                                    recorded.damaged,
+                                    1000.0 * message.processing_time,
+                                    recorded.cloud ? sequence.pipeline().shareBeyond() : 0.0,
+                                    recorded.cloud && sequence.originIsAssumed()};
+    use(report);
+    if (!show || message.status != PrimitiveArray::OK) return;
+    FramePipeline& pipeline = sequence.pipeline();
+    const Cloud seen = pipeline.seen(*recorded.cloud);
+    show(report, {seen, depthRangeOf(job.params), pipeline.pointLabels(), pipeline.detections()});
   });
   if (output) output->finish();
   return {clouds.topic(), transforms ? transforms->unusable() : 0};

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/point_raster.h"
 #include "io/report.h"
 #include "primitect/params.h"
 
@@ -30,9 +31,14 @@ struct BagOutcome {
   std::size_t unusable_transforms = 0;  ///< that could not be read, or are none
 };
 
-/// Calls use with each frame, in the order of recording. The same as the nodelet makes of the same clouds and
-/// parameters, if it misses none; but transforms are known from the beginning. Throws std::runtime_error naming bag
-/// and cause, std::invalid_argument as Detector does, and what use throws; then there is no output.
-BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use);
+/// What the sensor saw in a frame that was searched, and what was found there, in the sensor's frame.
+using ShowPoints = std::function<void(const io::FrameReport&, const io::LabelledPoints&)>;
+
+/// Calls use with each frame, in the order of recording, and show after it, where one is given. The same as the nodelet
+/// makes of the same clouds and parameters, if it misses none; but transforms are known from the beginning. Throws
+/// std::runtime_error naming bag and cause, std::invalid_argument as Detector does, and what these throw; then there is
+/// no output.
+BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use,
+                        const ShowPoints& show = nullptr);
 
 }  // namespace primitect::ros_layer

@@ -102,6 +102,7 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   const Wanted wanted = {params().use_cloud_normals, with_labels || sensor_from_cloud};
   problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, wanted, cloud_);
   has_cloud_ = problem_.empty();
+  sensor_from_cloud_ = sensor_from_cloud;
   cloud_from_found_camera_.reset();
   const bool from_image = !sensor_from_cloud && place == CameraPlace::from_image;
   if (has_cloud_ && from_image) lookForCamera(message, with_labels);
@@ -117,7 +118,7 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
   if (has_cloud_ && detections.points_used < kFewestPoints)
-    problem_ += "; " + whereMeasured(message, sensor_from_cloud);
+    problem_ += "; " + measuredText(seen(message));  // reads it once more, but nothing was done with it
   PrimitiveArray& written = message_writer_.write(detections, message.header);
   written.points_in = static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{message.width} * message.height,
                                                                          std::numeric_limits<std::uint32_t>::max()));
@@ -158,22 +159,25 @@ std::string FramePipeline::problemOf(const Detections& detections) const {
          std::to_string(kFewestPoints);
 }
 
-/// Reads the message once more, whole: only where nothing was done with it.
-std::string FramePipeline::whereMeasured(const sensor_msgs::PointCloud2& message,
-                                         const std::optional<Eigen::Isometry3d>& sensor_from_cloud) const {
+Cloud FramePipeline::seen(const sensor_msgs::PointCloud2& message) const {
   Cloud whole;
   readCloud(message, DepthRange(), {false, true}, whole);
-  if (sensor_from_cloud) whole.move(*sensor_from_cloud, DepthRange());
+  if (sensor_from_cloud_) whole.move(*sensor_from_cloud_, DepthRange());
   if (cloud_from_found_camera_) whole.move(cloud_from_found_camera_->inverse(), DepthRange());
-  return measuredText(whole);
+  return whole;
+}
+
+const std::vector<std::uint32_t>& FramePipeline::pointLabels() {
+  detector_.label(cloud_, labels_);
+  return labels_;
 }
 
 sensor_msgs::PointCloud2 FramePipeline::labels(const std_msgs::Header& header) {
-  detector_.label(cloud_, labels_);
-  if (!cloud_from_found_camera_) return labelCloud(header, cloud_, labels_, detector_.result());
+  const std::vector<std::uint32_t>& labels = pointLabels();
+  if (!cloud_from_found_camera_) return labelCloud(header, cloud_, labels, detector_.result());
   Cloud moved_back = cloud_;
   moved_back.move(*cloud_from_found_camera_, DepthRange());
-  return labelCloud(header, moved_back, labels_, detector_.result());
+  return labelCloud(header, moved_back, labels, detector_.result());
 }
 
 sensor_msgs::PointCloud2 FramePipeline::normals(const std_msgs::Header& header) const {

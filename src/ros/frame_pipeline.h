@@ -87,6 +87,15 @@ class FramePipeline {
   /// Of the last cloud; see Detections.
   double imageNoise() const { return has_cloud_ ? detector_.result().image_noise : 0.0; }
 
+  /// The last cloud, which came as this message, as the sensor saw it: cut at no depth, in the frame of the sensor.
+  Cloud seen(const sensor_msgs::PointCloud2& message) const;
+
+  /// Of its points, where it was processed with labels: index of the detection + 1, 0 = none.
+  const std::vector<std::uint32_t>& pointLabels();
+
+  /// What was found in it, in the frame of the sensor.
+  const Detections& detections() const { return detector_.result(); }
+
   /// Of the last cloud, if there is one, in the frame of the primitives; labels of what was processed with them.
   sensor_msgs::PointCloud2 labels(const std_msgs::Header& header);
   sensor_msgs::PointCloud2 normals(const std_msgs::Header& header) const;
@@ -103,14 +112,13 @@ class FramePipeline {
   void lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels);
   const Detections& detect();
   std::string problemOf(const Detections& detections) const;
-  std::string whereMeasured(const sensor_msgs::PointCloud2& message,
-                            const std::optional<Eigen::Isometry3d>& sensor_from_cloud) const;
 
   StageTimes times_;
   std::function<void(const char*)> stage_done_;
   Detector detector_;
   std::optional<LatencyGovernor> governor_;
   Cloud cloud_;
+  std::optional<Eigen::Isometry3d> sensor_from_cloud_;  ///< as it was told, of the last cloud
   std::optional<Eigen::Isometry3d> cloud_from_found_camera_;
   Detections in_frame_of_cloud_;  ///< with a found camera
   bool has_cloud_ = false;

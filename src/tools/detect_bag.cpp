@@ -3,16 +3,23 @@
 // detect_bag BAG...: finds primitives in the clouds of a recording; see --help.
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
+#include "io/picture.h"
 #include "io/report.h"
 #include "tools/bag_text.h"
 #include "tools/detect_bag_options.h"
+#include "tools/format.h"
 
 namespace {
 
+namespace fs = std::filesystem;
 namespace tools = primitect::tools;
 using primitect::io::FrameReport;
 
@@ -48,6 +55,27 @@ class JsonLines {
   std::ofstream file_;
 };
 
+/// Of clouds, in a folder that is made.
+class Pictures {
+ public:
+  Pictures(const std::string& folder, const std::string& bag) : folder_(folder), bag_(fs::path(bag).filename()) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+  }
+
+  /// place: among all clouds, from 1 on.
+  void write(int place, const FrameReport& frame, const primitect::io::LabelledPoints& points) const {
+    const std::string title = tools::format("%d, %.3f s, ", place, frame.recorded) + bag_;
+    const fs::path path = folder_ / tools::format("%06d.png", place);
+    primitect::io::writePicture(path, primitect::io::drawPicture(points, std::nullopt, title));
+  }
+
+ private:
+  fs::path folder_;
+  std::string bag_;
+};
+
 volatile std::sig_atomic_t interrupted = 0;
 
 void checkOutput() {
@@ -58,17 +86,26 @@ int run(const tools::DetectBagOptions& options) {
   JsonLines json(options.json);
   tools::BagSummary summary;
   bool damaged = false;
+  int clouds = 0;
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGPIPE, SIG_IGN);  // whoever read the output has enough: an error as any other
   const auto use = [&](const FrameReport& frame) {
     if (interrupted) throw std::runtime_error("interrupted; no bag is left");
+    ++clouds;
     json.write(frame);
     summary.add(frame);
     damaged = damaged || frame.damaged;
     if (!json.toStdout()) std::cout << tools::frameLine(frame) << std::flush;
     checkOutput();
   };
-  const primitect::ros_layer::BagOutcome outcome = primitect::ros_layer::detectInBags(options.job, use);
+  primitect::ros_layer::ShowPoints draw;
+  if (!options.pictures.empty()) {
+    const Pictures pictures(options.pictures, options.job.bags.front());
+    draw = [&clouds, pictures](const FrameReport& frame, const primitect::io::LabelledPoints& points) {
+      pictures.write(clouds, frame, points);
+    };
+  }
+  const primitect::ros_layer::BagOutcome outcome = primitect::ros_layer::detectInBags(options.job, use, draw);
   json.finish();
   if (!json.toStdout()) std::cout << summary.text(outcome.topic);
   if (!summary.warning().empty()) std::cerr << "detect_bag: " << summary.warning() << "\n";

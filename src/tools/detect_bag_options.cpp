@@ -26,6 +26,7 @@ constexpr const char* kFooter =
     "preset of the file.\n"
     "--json: a line for each cloud, an object with stamp, frame_id, status and primitives, in\n"
     "metres and radians.\n"
+    "--pictures: each is named by its place among the clouds; those not searched have none.\n"
     "--out: /detector/primitives and /detector/markers, to be played beside the recording.\n"
     "Exit code: 0 clouds were searched, others say why not, 1 none was, or a bag could not be\n"
     "read (or not all of it) or written, 2 the command line or a parameter is wrong.";
@@ -66,6 +67,12 @@ void checkOutputs(const DetectBagOptions& options) {
   if (out == "-" || replaces_other) throw std::invalid_argument("--out: " + out + " is no file, expected is one");
 }
 
+void checkPictures(const std::string& folder) {
+  std::error_code none_such;
+  if (folder.empty() || !fs::exists(folder, none_such) || fs::is_directory(folder, none_such)) return;
+  throw std::invalid_argument("--pictures: " + folder + " is no folder, expected is one");
+}
+
 void checkSeconds(const std::string& option, double seconds) {
   constexpr double kMost = 1e9;
   if (0.0 <= seconds && seconds <= kMost) return;
@@ -90,6 +97,8 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   app.add_option("--duration", job.duration, "read S seconds; 0: all")->type_name("S");
   app.add_option("--json", options.json, "write what was found, a line for each cloud; - is standard output")
       ->type_name("FILE|-");
+  app.add_option("--pictures", options.pictures, "write PNGs of clouds with what was found, made if missing")
+      ->type_name("FOLDER");
   app.add_option("--out", job.output, "write primitives and markers as a bag")->type_name("FILE.bag");
   param_options.addTo(app, {"transform_patience"});
   if (!parseOrSay(app, argc, argv)) return std::nullopt;
@@ -106,6 +115,7 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   checkSeconds("--duration", job.duration);
   refuseRepeated(job.bags);
   checkOutputs(options);
+  checkPictures(options.pictures);
   return options;
 }
 

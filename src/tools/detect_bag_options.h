@@ -12,7 +12,8 @@ namespace primitect::tools {
 
 struct DetectBagOptions {
   ros_layer::BagJob job;
-  std::string json;  ///< file, or "-"; empty: not wanted
+  std::string json;      ///< file, or "-"; empty: not wanted
+  std::string pictures;  ///< folder; empty: not wanted
 };
 
 /// Nothing when all is said (--help, --version, --print-params).

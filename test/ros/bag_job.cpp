@@ -300,6 +300,51 @@ TEST_F(BagJobs, KnowTheTransformsOfTheRecordingFromItsBeginning) {
   EXPECT_NE(problemsOf(job)[0].find("to target_frame 'map'"), std::string::npos);
 }
 
+TEST_F(BagJobs, ShowPointsAsTheSensorSawThemWhereverPrimitivesAreWanted) {
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms.resize(1);
+  transforms.transforms[0].header.frame_id = "map";
+  transforms.transforms[0].child_frame_id = "camera";
+  transforms.transforms[0].transform.translation.x = 5.0;
+  transforms.transforms[0].transform.rotation.w = 1.0;
+  const std::string clouds = cloudBag("clouds.bag", 0, 1);
+  {
+    rosbag::Bag bag(path("tf.bag"), rosbag::bagmode::Write);
+    bag.write("/tf_static", headerAt(0).stamp, transforms);
+  }
+  BagJob job = jobOf({clouds, path("tf.bag")});
+  job.params.target_frame = "map";
+  job.params.max_depth = 1.0;
+  const std::vector<float> depth = depthAt(0);
+  int shown = 0;
+  detectInBags(
+      job, [&shown](const io::FrameReport&) { EXPECT_EQ(shown, 0); },
+      [&](const io::FrameReport& frame, const io::LabelledPoints& points) {
+        ++shown;
+        ASSERT_EQ(points.cloud.size(), depth.size());
+        ASSERT_EQ(points.labels.size(), depth.size());
+        EXPECT_EQ(points.used.max, 1.0f);
+        ASSERT_GT(points.detections.items.size(), 1u);
+        ASSERT_EQ(points.detections.items.size(), frame.detections.items.size());
+        std::size_t labelled = 0, farther = 0;
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+          if (!(depth[i] > 0.0f)) continue;
+          EXPECT_EQ(points.cloud.z[i], depth[i]);  // not cut at max_depth
+          farther += depth[i] > 1.0f ? 1 : 0;
+          if (points.labels[i] == 0) continue;
+          ++labelled;
+          EXPECT_LE(depth[i], 1.0f);
+          EXPECT_LT(std::abs(distance(points.detections.items.at(points.labels[i] - 1).shape, points.cloud.point(i))),
+                    0.02);
+        }
+        EXPECT_GT(labelled, 1000u);
+        EXPECT_GT(farther, 1000u);
+        EXPECT_NEAR(frame.detections.items[0].extent.origin.x() - points.detections.items[0].extent.origin.x(), 5.0,
+                    1e-6);
+      });
+  EXPECT_EQ(shown, 1);
+}
+
 /// The camera's frame, which moves along x by 1 m a second.
 tf2_msgs::TFMessage cameraInBase(const ros::Time& stamp) {
   tf2_msgs::TFMessage message;

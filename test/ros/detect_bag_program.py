@@ -95,6 +95,14 @@ class DetectBag(unittest.TestCase):
         self.assertEqual(sorted(p.type for p in arrays[0].primitives), [Primitive.PLANE, Primitive.SPHERE])
         self.assertEqual(sorted(os.listdir(self.folder)), ["clouds.bag", "found.bag"])
 
+    def test_writes_pictures_of_clouds_that_were_searched(self):
+        folder = self.path("made/for/pictures")
+        self.assertEqual(self.run_program(self.bag, "--pictures", folder).returncode, 0)
+        self.assertEqual(sorted(os.listdir(folder)), ["000001.png", "000002.png"])
+        for name in os.listdir(folder):
+            with open(os.path.join(folder, name), "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+
     def test_goes_on_after_messages_that_are_not_what_they_say(self):
         points, path = wall_and_ball(), self.path("odd.bag")
         data = self.serialized(cloud_message(*points, stamp=rospy.Time(1000, 100000000)))
@@ -190,6 +198,8 @@ class DetectBag(unittest.TestCase):
         self.expect_refusal(1, "/points (sensor_msgs/PointCloud2)", self.bag, "--topic", "/other")
         self.expect_refusal(1, "nowhere", self.bag, "--out", self.path("nowhere/found.bag"))
         self.expect_refusal(1, "nowhere", self.bag, "--json", self.path("nowhere/found.jsonl"))
+        self.expect_refusal(2, "is no folder", self.bag, "--pictures", self.bag)
+        self.expect_refusal(1, "cannot be made", self.bag, "--pictures", self.path("clouds.bag/pictures"))
         self.expect_refusal(1, "0.2 s", self.bag, "--start", "100")
         self.assertEqual(os.listdir(self.folder), ["clouds.bag"])
 
