@@ -17,8 +17,8 @@ FULL, SOME, FEW = 1.0, 0.5, 0.25  # shares of the clouds
 PENALTY = 5.0
 # Of the weights. Otherwise what is common in clouds where all detections are right would speak for a shape, even if it
 # is a flaw.
-SIGNS = (0, 1, 1, -1, -1, 1, 1)
-MANY = 150.0  # samples of a ball: losses of a larger one count less
+SIGNS = (0, 1, 1, -1, -1, 1, 1, 1)
+MANY = 150.0  # samples of a plane or ball: losses of a larger one count less
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
 EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead",
             "own_noise")  # as compare's
@@ -35,6 +35,11 @@ def mix():
     yield Recipe("clutter"), ALL, FULL
     yield Recipe("clutter"), ALL_BOTH, FEW
     yield Recipe("tabletop", noise_scale=2.0), ALL, FEW
+    # The noise of recorded frames: shared by some pixels, and more than a pixel's own noise of that name.
+    for name in ("tabletop", "clutter", "heap", "hall"):
+        yield Recipe(name, noise_scale=1.5, noise_grain=5), ALL, SOME
+    yield Recipe("tabletop", sensor="stereo"), ALL, FEW
+    yield Recipe("tabletop", sensor="time_of_flight"), ALL, FEW
     yield Recipe("tabletop", shuffle=True), ALL, FEW
     yield Recipe("clutter", shuffle=True), ALL, FEW
     for kind in ("spheres", "cylinders", "cones", "planes", "mixed"):
@@ -86,13 +91,13 @@ def root(numbers):
 
 def features(cases):
     """What the weights are for, a row a detection: the same as featuresOf() of src/core/evidence.cpp."""
-    inliers, gain, against, _, runs_into, _, turn, lead, _ = cases.numbers.T
+    inliers, gain, against, _, runs_into, _, turn, lead, own_noise = cases.numbers.T
     curved = cases.kind != KINDS.index("plane")
-    # A flaw of a large ball grows with it, and chance does not. For cylinders and cones that made no difference.
-    grows = cases.kind == KINDS.index("sphere")
+    # A flaw of a large ball or plane grows with it, and chance does not. For cylinders and cones that made no difference.
+    grows = np.isin(cases.kind, [KINDS.index(kind) for kind in ("plane", "sphere")])
     losses = np.where(grows, against * np.sqrt(MANY / np.maximum(inliers, MANY)), against)
     return np.column_stack([np.ones(len(inliers)), np.log(np.maximum(inliers, 1.0)), gain, losses,
-                            root(runs_into), curved * root(turn), curved * root(lead)])
+                            root(runs_into), curved * root(turn), curved * root(lead), ~curved * own_noise])
 
 
 def fit(cases, penalty=PENALTY):
@@ -112,37 +117,19 @@ def fit(cases, penalty=PENALTY):
     return result
 
 
-def of_own_noise(cases):
-    """Which are planes in clouds with a noise of their own, not that of depth cameras."""
-    return (cases.kind == KINDS.index("plane")) & (cases.numbers[:, EVIDENCE.index("own_noise")] > 0.0)
-
-
-def fit_own_noise(weights, cases):
-    """How many times farther apart right and wrong planes are where the noise is the cloud's own: a factor for the sum
-    of their features, so that what has a probability of 0.5 keeps it. 1 without right or wrong ones."""
-    chosen = of_own_noise(cases)
-    right = cases.right[chosen]
-    if not 0 < right.sum() < len(right):
-        return 1.0
-    sums = (features(cases) @ weights["plane"])[chosen]
-    return float(logistic.maximize(sums[:, None], right, 0.0, np.ones(1))[0])
-
-
-def probabilities(weights, cases, own_noise=1.0):
-    """One a detection. own_noise: of fit_own_noise()."""
+def probabilities(weights, cases):
+    """One a detection."""
     rows, sums = features(cases), np.zeros(len(cases.right))
     for kind, values in weights.items():
         chosen = cases.kind == KINDS.index(kind)
         sums[chosen] = rows[chosen] @ values
-    sums[of_own_noise(cases)] *= own_noise
     return logistic.probabilities(np.ones(1), sums[:, None])
 
 
-def weights_text(weights, own_noise):
-    """The rows of kWeights in src/core/evidence.cpp, and kOwnNoise."""
+def weights_text(weights):
+    """The rows of kWeights in src/core/evidence.cpp."""
     rows = ("    {{%s}},  // %s\n" % (", ".join("%.3g" % value for value in weights[kind]), kind) for kind in KINDS)
-    return ("constexpr std::array<Features, kKindCount> kWeights = {{\n%s}};\n"
-            "constexpr double kOwnNoise = %.2g;\n" % ("".join(rows), own_noise))
+    return "constexpr std::array<Features, kKindCount> kWeights = {{\n%s}};\n" % "".join(rows)
 
 
 def quality_table(parts):

@@ -19,7 +19,7 @@ namespace {
 constexpr double kNoTrust = 0.75, kFullTrust = 0.9;
 
 /// What the image shows where the surface should be.
-enum class Sight { surface, behind, other, blot, unknown };
+enum class Sight { surface, behind, other, blot, hole, unknown };
 
 /// Looks at single pixels, where the surface of a cylinder or an opened cone should be.
 template <class T>
@@ -109,7 +109,7 @@ class Looking {
     if (isBlot(gap, column, row, 1, 0) || isBlot(gapAt(column, row, 0, 1), column, row, 0, 1)) return Sight::blot;
     const bool shadow = isShadow(column - gap.before, row, gap.before, expected, sigma) ||
                         isShadow(column + gap.after, row, gap.after, expected, sigma);
-    return shadow ? Sight::unknown : Sight::other;
+    return shadow ? Sight::unknown : Sight::hole;
   }
 
   /// A gap as wide as this may be the shadow of the pixel at its end.
@@ -178,9 +178,13 @@ struct Count {
   void add(Sight sight) {
     // With a fifth of its surface missing a can keeps all of its confidence, with a half nearly none.
     constexpr double kBlot = 0.25;
+    // Holes of glossy and dark things reach to their limb, or to what stands before them. With 1 a hundredth less is
+    // found on tables a fifth of whose points are lost in blots; with 0.25 a calibration board whose dark squares are
+    // missing carries cones in twice as many draws.
+    constexpr double kHole = 0.5;
     surface += sight == Sight::surface ? 1.0 : 0.0;
     behind += sight == Sight::behind ? 1.0 : 0.0;
-    other += sight == Sight::other ? 1.0 : sight == Sight::blot ? kBlot : 0.0;
+    other += sight == Sight::other ? 1.0 : sight == Sight::hole ? kHole : sight == Sight::blot ? kBlot : 0.0;
   }
   double asked() const { return surface + behind + other; }
   double of(double some) const { return some / asked(); }
