@@ -53,9 +53,10 @@ Features featuresOf(Kind kind, const Evidence& e) {
 }
 
 // Printed by eval/calibrate; a row a kind. How far a shape runs on into nothing known tells no more than what is
-// against it; nor does the residual along the border. Noise that was measured in the cloud itself speaks for what is
-// found with it. Spheres and cylinders are of a fit to white noise: what noise in grains makes of theirs refuses half
-// of the false ones, too, but also a recorded ball and cans in one frame in four.
+// against it; nor does the residual along the border. Noise that was measured in the cloud itself speaks for planes.
+// Balls and tubes have rows of an earlier fit, to clouds without noise that pixels share: the rows that it prints now
+// refuse half of the false ones, too, but of 38 labels in recorded frames 36.3 are found then instead of 37.8 (eight
+// draws).
 constexpr std::array<Features, kKindCount> kWeights = {{
     {{-5.07, 0.855, 6.84, -8.88, -3.01, 0, 0, 3.25}},  // plane
     {{-3.59, 1.15, 4.98, -18.3, -4.71, 4.07, 0, 0}},   // sphere
