@@ -111,6 +111,16 @@ def test_weights_of_every_kind_become_rows_of_the_core():
     assert len(calibration.threshold_table(probability, cases).rows) == 5
 
 
+def test_what_is_against_many_samples_counts_less_of_planes_and_balls():
+    def against(kind, inliers):
+        numbers = (inliers, 0.7, 0.2) + (0.1,) * 6
+        return calibration.features(calibration.cases_of([line(detections=[found(kind, "right", numbers)])]))[0, 3]
+    for kind in calibration.KINDS:
+        assert against(kind, 40.0) == against(kind, 150.0) == 0.2
+        share = against(kind, 600.0) / against(kind, 150.0)
+        assert abs(share - (0.5 if kind in ("plane", "sphere") else 1.0)) < 1e-12
+
+
 def test_noise_of_its_own_speaks_for_planes():
     # As sure, by all else, as what is found with the noise of depth cameras, and more often right.
     random = np.random.default_rng(4)

@@ -14,12 +14,12 @@
 namespace primitect {
 
 /// Of places all over the observed part of a cylinder or cone, the share at which the image has a point on the surface,
-/// [0, 1]; of a ninth of them, or more, as soon as these settle what is left of the confidence. Not asked are places
-/// that something nearer hides, with the shadow beside it, single missing pixels and blots with the surface on both
-/// sides, those between which and the border of the image nothing is measured, those at the limb, and those at a bound
-/// of the depth. pixels: points of the cloud on the shape; range: outside of it, points of this cloud were made
-/// missing; sigma(p): m, noise of the distance to a surface. 1 of planes and spheres, whose extent does not tell where
-/// they end, of clouds that are no image, and where there are too few places to tell.
+/// [0, 1]; of a ninth of them, or more, as soon as these settle what is left of the confidence. Blots with the surface
+/// on both sides count a quarter, other holes half. Not asked are places that something nearer hides, with the shadow
+/// beside it, single missing pixels, those between which and the border of the image nothing is measured, those at the
+/// limb, and those at a bound of the depth. pixels: points of the cloud on the shape; range: outside of it, points of
+/// this cloud were made missing; sigma(p): m, noise of the distance to a surface. 1 of planes and spheres, whose extent
+/// does not tell where they end, of clouds that are no image, and where there are too few places to tell.
 double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                  const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 

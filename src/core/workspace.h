@@ -115,6 +115,7 @@ struct Detector::Workspace {
   void forgetResult();
   void measureImageNoise(const Cloud& image);
   void distrustBentParts(const List<bool>& measured);
+  void distrustInterleaved(const List<bool>& measured, const Cloud& cloud);
   void measureScale();
   bool improveNormals(const Cloud& cloud);
   void measureNoise(const Cloud& cloud);

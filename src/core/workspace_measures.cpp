@@ -11,6 +11,7 @@
 #include "core/evidence.h"
 #include "core/extent.h"
 #include "core/far_sides.h"
+#include "core/interleaved.h"
 #include "core/strip.h"
 #include "core/workspace.h"
 
@@ -206,6 +207,21 @@ void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
   }
 }
 
+/// Of the detections that were measured, of which these are the points; the smaller one of two.
+void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const Cloud& cloud) {
+  if (!depth_camera) return;
+  const double least = leastWhileChoosing(params);
+  const auto counts = [&](std::size_t k) { return measured[k] && result.items[k].confidence >= least; };
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    for (std::size_t other = 0; other < result.items.size(); ++other) {
+      if (other == k || !counts(k) || !counts(other)) continue;
+      const bool among =
+          isAmong(result.items[k], result.items[other], points[other].index, cloud, verification.noise());
+      if (among) result.items[k].confidence = 0.0f;
+    }
+  }
+}
+
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
   // Pixels of a projected image are not where a camera's were.
@@ -232,6 +248,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     result.items[k].inlier_count = std::min(result.items[k].inlier_count, result.points_used);
   }
   distrustBentParts(enough);
+  distrustInterleaved(enough, cloud);
   distrustUnevenFaces(enough);
   for (std::size_t k = 0; k < result.items.size(); ++k) {
     if (!enough[k]) {

@@ -132,6 +132,7 @@ PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, 
   static const Detections kNoTransform = nothing(Status::no_transform);
   problem_ = problem;
   has_cloud_ = false;
+  sensor_from_cloud_.reset();
   cloud_from_found_camera_.reset();
   status_ = kNoTransform.status;
   refusals_ = {};
@@ -161,7 +162,7 @@ std::string FramePipeline::problemOf(const Detections& detections) const {
 
 Cloud FramePipeline::seen(const sensor_msgs::PointCloud2& message) const {
   Cloud whole;
-  readCloud(message, DepthRange(), {false, true}, whole);
+  readCloud(message, DepthRange(), {params().use_cloud_normals, true}, whole);
   if (sensor_from_cloud_) whole.move(*sensor_from_cloud_, DepthRange());
   if (cloud_from_found_camera_) whole.move(cloud_from_found_camera_->inverse(), DepthRange());
   return whole;

@@ -87,13 +87,14 @@ class FramePipeline {
   /// Of the last cloud; see Detections.
   double imageNoise() const { return has_cloud_ ? detector_.result().image_noise : 0.0; }
 
-  /// The last cloud, which came as this message, as the sensor saw it: cut at no depth, in the frame of the sensor.
+  /// The last cloud, if there is one, which came as this message, as the sensor saw it: cut at no depth, in the frame
+  /// of the sensor.
   Cloud seen(const sensor_msgs::PointCloud2& message) const;
 
   /// Of its points, where it was processed with labels: index of the detection + 1, 0 = none.
   const std::vector<std::uint32_t>& pointLabels();
 
-  /// What was found in it, in the frame of the sensor.
+  /// What was found in it, where it was searched, in the frame of the sensor.
   const Detections& detections() const { return detector_.result(); }
 
   /// Of the last cloud, if there is one, in the frame of the primitives; labels of what was processed with them.

@@ -58,7 +58,7 @@ class JsonLines {
 /// Of clouds, in a folder that is made.
 class Pictures {
  public:
-  Pictures(const std::string& folder, const std::string& bag) : folder_(folder), bag_(fs::path(bag).filename()) {
+  explicit Pictures(const std::string& folder) : folder_(folder) {
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
@@ -66,14 +66,13 @@ class Pictures {
 
   /// place: among all clouds, from 1 on.
   void write(int place, const FrameReport& frame, const primitect::io::LabelledPoints& points) const {
-    const std::string title = tools::format("%d, %.3f s, ", place, frame.recorded) + bag_;
+    const std::string title = tools::format("%d, %.3f s", place, frame.recorded);
     const fs::path path = folder_ / tools::format("%06d.png", place);
     primitect::io::writePicture(path, primitect::io::drawPicture(points, std::nullopt, title));
   }
 
  private:
   fs::path folder_;
-  std::string bag_;
 };
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -100,7 +99,7 @@ int run(const tools::DetectBagOptions& options) {
   };
   primitect::ros_layer::ShowPoints draw;
   if (!options.pictures.empty()) {
-    const Pictures pictures(options.pictures, options.job.bags.front());
+    const Pictures pictures(options.pictures);
     draw = [&clouds, pictures](const FrameReport& frame, const primitect::io::LabelledPoints& points) {
       pictures.write(clouds, frame, points);
     };

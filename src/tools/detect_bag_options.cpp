@@ -26,7 +26,7 @@ constexpr const char* kFooter =
     "preset of the file.\n"
     "--json: a line for each cloud, an object with stamp, frame_id, status and primitives, in\n"
     "metres and radians.\n"
-    "--pictures: each is named by its place among the clouds; those not searched have none.\n"
+    "--pictures: PNGs, named by their place among the clouds; those not searched have none.\n"
     "--out: /detector/primitives and /detector/markers, to be played beside the recording.\n"
     "Exit code: 0 clouds were searched, others say why not, 1 none was, or a bag could not be\n"
     "read (or not all of it) or written, 2 the command line or a parameter is wrong.";
@@ -67,10 +67,17 @@ void checkOutputs(const DetectBagOptions& options) {
   if (out == "-" || replaces_other) throw std::invalid_argument("--out: " + out + " is no file, expected is one");
 }
 
-void checkPictures(const std::string& folder) {
+void checkPictures(const DetectBagOptions& options) {
+  const std::string& folder = options.pictures;
   std::error_code none_such;
-  if (folder.empty() || !fs::exists(folder, none_such) || fs::is_directory(folder, none_such)) return;
-  throw std::invalid_argument("--pictures: " + folder + " is no folder, expected is one");
+  if (fs::exists(folder, none_such) && !fs::is_directory(folder, none_such)) {
+    throw std::invalid_argument("--pictures: " + folder + " is no folder, expected is one");
+  }
+  for (const std::string& file : {options.json, options.job.output}) {
+    if (!file.empty() && isSameFile(folder, file)) {
+      throw std::invalid_argument("--pictures: " + folder + " is a file that is written, expected is a folder");
+    }
+  }
 }
 
 void checkSeconds(const std::string& option, double seconds) {
@@ -97,7 +104,7 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   app.add_option("--duration", job.duration, "read S seconds; 0: all")->type_name("S");
   app.add_option("--json", options.json, "write what was found, a line for each cloud; - is standard output")
       ->type_name("FILE|-");
-  app.add_option("--pictures", options.pictures, "write PNGs of clouds with what was found, made if missing")
+  app.add_option("--pictures", options.pictures, "draw clouds with what was found into a folder, made if missing")
       ->type_name("FOLDER");
   app.add_option("--out", job.output, "write primitives and markers as a bag")->type_name("FILE.bag");
   param_options.addTo(app, {"transform_patience"});
@@ -115,7 +122,7 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   checkSeconds("--duration", job.duration);
   refuseRepeated(job.bags);
   checkOutputs(options);
-  checkPictures(options.pictures);
+  if (!options.pictures.empty()) checkPictures(options);
   return options;
 }
 

@@ -345,6 +345,24 @@ TEST_F(BagJobs, ShowPointsAsTheSensorSawThemWhereverPrimitivesAreWanted) {
   EXPECT_EQ(shown, 1);
 }
 
+TEST_F(BagJobs, ShowAllPointsOfALargeImage) {
+  const synthetic::PinholeCamera large = synthetic::PinholeCamera().scaledTo(1280, 960);
+  const auto frame = synthetic::renderFrame(synthetic::tabletop(2), large, synthetic::cameraPose(0.1), {}, 2, 0);
+  {
+    rosbag::Bag bag(path("large.bag"), rosbag::bagmode::Write);
+    bag.write("/camera/points", recordedAt(0), depthCloud(headerAt(0), frame.depth, large));
+  }
+  int shown = 0;
+  detectInBags(
+      jobOf({path("large.bag")}), [](const io::FrameReport&) {},
+      [&shown](const io::FrameReport&, const io::LabelledPoints& points) {
+        ++shown;
+        EXPECT_EQ(points.cloud.size(), 1280u * 960u);
+        EXPECT_EQ(points.labels.size(), points.cloud.size());
+      });
+  EXPECT_EQ(shown, 1);
+}
+
 /// The camera's frame, which moves along x by 1 m a second.
 tf2_msgs::TFMessage cameraInBase(const ros::Time& stamp) {
   tf2_msgs::TFMessage message;

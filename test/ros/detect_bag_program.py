@@ -96,9 +96,14 @@ class DetectBag(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.folder)), ["clouds.bag", "found.bag"])
 
     def test_writes_pictures_of_clouds_that_were_searched(self):
-        folder = self.path("made/for/pictures")
+        folder, points = self.path("made/for/pictures"), wall_and_ball()
+        with rosbag.Bag(self.bag, "w") as bag:
+            for k in range(3):
+                message = cloud_message(*points, stamp=rospy.Time(1000, 100000000 * k))
+                message.fields = message.fields[:2] if k == 1 else message.fields
+                bag.write("/points", message, message.header.stamp)
         self.assertEqual(self.run_program(self.bag, "--pictures", folder).returncode, 0)
-        self.assertEqual(sorted(os.listdir(folder)), ["000001.png", "000002.png"])
+        self.assertEqual(sorted(os.listdir(folder)), ["000001.png", "000003.png"])
         for name in os.listdir(folder):
             with open(os.path.join(folder, name), "rb") as file:
                 self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
@@ -199,6 +204,8 @@ class DetectBag(unittest.TestCase):
         self.expect_refusal(1, "nowhere", self.bag, "--out", self.path("nowhere/found.bag"))
         self.expect_refusal(1, "nowhere", self.bag, "--json", self.path("nowhere/found.jsonl"))
         self.expect_refusal(2, "is no folder", self.bag, "--pictures", self.bag)
+        for option in ("--out", "--json"):
+            self.expect_refusal(2, "is a file that is written", self.bag, "--pictures", self.path("x.bag"), option, self.path("x.bag"))
         self.expect_refusal(1, "cannot be made", self.bag, "--pictures", self.path("clouds.bag/pictures"))
         self.expect_refusal(1, "0.2 s", self.bag, "--start", "100")
         self.assertEqual(os.listdir(self.folder), ["clouds.bag"])

@@ -186,6 +186,39 @@ TEST(FramePipeline, SearchesAnImageThatWasMovedFromWhereItsCameraWas) {
   EXPECT_FALSE(pipeline.foundCamera()) << "of the cloud before";
 }
 
+/// Labelled points lie on what they belong to, in the frame of the sensor; z of all is as this cloud of the camera's.
+void expectSeenAs(const PointCloud2& of_camera, const PointCloud2& message, FramePipeline& pipeline) {
+  const Cloud seen = pipeline.seen(message);
+  const std::vector<std::uint32_t>& labels = pipeline.pointLabels();
+  ASSERT_EQ(seen.size(), labels.size());
+  sensor_msgs::PointCloud2ConstIterator<float> z(of_camera, "z");
+  std::size_t on = 0, labelled = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i, ++z) {
+    EXPECT_EQ(std::isnan(seen.z[i]), std::isnan(*z));
+    if (std::isnan(*z)) continue;
+    EXPECT_NEAR(seen.z[i], *z, 0.005);
+    if (labels[i] == 0) continue;
+    ++labelled;
+    on += std::abs(distance(pipeline.detections().items.at(labels[i] - 1).shape, seen.point(i))) < 0.02 ? 1 : 0;
+  }
+  EXPECT_GT(labelled, seen.size() / 10);
+  EXPECT_EQ(on, labelled);
+}
+
+TEST(FramePipeline, ShowsCloudsAsTheSensorSawThem) {
+  const PointCloud2 of_camera = tableIn(Eigen::Isometry3d::Identity());
+  const Eigen::Isometry3d robot_from_camera = synthetic::robotFromCamera(1.3, 0.6);
+  const PointCloud2 moved = tableIn(robot_from_camera);
+  FramePipeline pipeline{Params()};
+  pipeline.process(of_camera, true);
+  expectSeenAs(of_camera, of_camera, pipeline);
+  pipeline.process(moved, true, robot_from_camera.inverse());
+  expectSeenAs(of_camera, moved, pipeline);
+  pipeline.process(moved, true);
+  ASSERT_TRUE(pipeline.foundCamera());
+  expectSeenAs(of_camera, moved, pipeline);
+}
+
 /// 1281 x 961 pixels of a table, with all of its points within the range.
 PointCloud2 largeFrame() {
   const synthetic::PinholeCamera camera = synthetic::PinholeCamera().scaledTo(1281, 961);
@@ -209,6 +242,7 @@ TEST(FramePipeline, FindsTheSameInALargeImageWhetherItReadsAllOfItOrEnough) {
   EXPECT_GE(with_labels.primitives.size(), 4u);
   EXPECT_EQ(with_labels.points_in, 1281u * 961u);
   EXPECT_EQ(with_labels.points_used % 4, 0u) << "extrapolated";
+  EXPECT_EQ(pipeline.pointLabels().size(), 1281u * 961u);
   const PointCloud2 labels = pipeline.labels({});
   EXPECT_EQ(labels.width, 1281u);
   EXPECT_EQ(labels.height, 961u);
