@@ -19,6 +19,9 @@ bool isAmong(const Detection& plane, const Detection& other, const List<std::uin
   const Plane *const own = std::get_if<Plane>(&plane.shape), *const large = std::get_if<Plane>(&other.shape);
   if (!own || !large || other.inlier_count < plane.inlier_count || pixels.empty()) return false;
   if (!(own->normal.dot(large->normal) > std::cos(kMostTilt))) return false;
+  // Where its points are the other's, its middle is near that one; most tops of one height or another are not.
+  const Vec3& middle = plane.extent.origin;
+  if (std::abs(distance(other.shape, middle)) > 2.0 * kInlierDeviations * noise.at(middle)) return false;
   const ObservedPart part(plane.shape, plane.extent);
   std::size_t within = 0;
   for (const std::uint32_t i : pixels) {
