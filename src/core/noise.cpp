@@ -3,9 +3,22 @@
 // The noise of every sample; see noise.h.
 #include "core/noise.h"
 
+#include <algorithm>
+
 #include "core/samples.h"
 
 namespace primitect {
+namespace {
+
+/// rad, what a normal may be off. What normals turn out to be off, in deviations of their own, goes up to six times
+/// what their windows tell: where pixels share their noise those of tubes a metre away err by 5 deg, and what was
+/// measured in rad, on the table before them, is less.
+double mostTurn(const NoiseModel& noise, double normal_sigma) {
+  const double known = kNormalDeviations * normal_sigma;
+  return std::max({noise.angle, known, std::min(noise.normals * known, noise.most_turn)});
+}
+
+}  // namespace
 
 void applyNoise(const NoiseModel& noise, Samples& samples) {
   /// What a normal at the noise's limit takes from the gain; distance takes 1 at its limit.
@@ -14,7 +27,7 @@ void applyNoise(const NoiseModel& noise, Samples& samples) {
   constexpr double kAngleReach = 2.5, kOtherSurface = 0.6;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double sigma = noise.at(samples.point(i));
-    const double limit = std::max(noise.angle, kNormalDeviations * samples.normal_sigma[i]);
+    const double limit = mostTurn(noise, samples.normal_sigma[i]);
     const double farthest = std::min(kAngleReach * limit, kOtherSurface);
     samples.sigma[i] = static_cast<float>(sigma);
     samples.inverse_tolerance[i] = static_cast<float>(1.0 / (kInlierDeviations * sigma));

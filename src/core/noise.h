@@ -22,6 +22,8 @@ struct NoiseModel {
   double angle = 0.5;        ///< rad, a normal that is off by more is hardly noise, unless more of it is known
   double scale = 1.0;        ///< times the axial noise: of a depth camera that is noisier than structured light
   double growth = 1.0;       ///< times its growth with the depth
+  double normals = 1.0;      ///< times the normal_sigma of samples: what pixels share is not in it
+  double most_turn = 0.28;   ///< rad, what normals may be off by that
 
   bool ofDepthCamera() const { return depth_share > 0.0; }
 

@@ -4,6 +4,7 @@
 #include "core/proposal.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/flat.h"
@@ -33,6 +34,13 @@ double reachFor(const Candidate& candidate, const ProposalRules& rules) {
   return std::max(rules.reach, kArc * radiusOf(candidate.shape).value_or(0.0));
 }
 
+/// As far as the other side of its thing (m).
+double reachAcross(const Candidate& candidate, const ProposalRules& rules) {
+  const Cone* cone = std::get_if<Cone>(&candidate.shape);
+  const double of_cone = cone ? cone->axis.cross(candidate.point - cone->apex).norm() : 0.0;
+  return std::max(rules.reach, 2.0 * radiusOf(candidate.shape).value_or(of_cone));
+}
+
 /// Gains of samples for one shape, of so many at once as soon as one of them is asked for: neighbours are asked for
 /// next, and together they take hardly longer than two of them alone.
 struct KnownGains {
@@ -49,16 +57,16 @@ struct KnownGains {
 /// What gather() asks of all samples, for one.
 class MayStandFor {
  public:
-  MayStandFor(const Samples& samples, const Candidate& candidate, const ProposalRules& rules, KnownGains& gains)
+  /// gains: begun for this candidate; within this reach (m) of its reference.
+  MayStandFor(const Samples& samples, const Candidate& candidate, const ProposalRules& rules, double reach,
+              KnownGains& gains)
       : gains_(gains),
         judged_(samples.judged()),
         shape_(flattened(candidate.shape, Vec3::Zero())),
         side_(candidate.concave ? -1.0f : 1.0f),
         scale_(static_cast<float>(1.0 / widenFor(candidate, rules))),
         point_(candidate.point.cast<float>()),
-        reach_(static_cast<float>(reachFor(candidate, rules))) {
-    gains_.begin(samples.size());
-  }
+        reach_(static_cast<float>(reach)) {}
 
   bool operator()(std::uint32_t i) const {
     const Eigen::Vector3f way = Eigen::Vector3f(judged_.x[i], judged_.y[i], judged_.z[i]) - point_;
@@ -117,6 +125,27 @@ Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules&
   return Outcome::grown;
 }
 
+/// Behind a pole or a finger a can falls into parts, each of which may pass for a plane. Where votes for something
+/// curved led to no such thing, and much more of it lies around than is one piece with the reference, it grows from all
+/// of that.
+std::optional<Hypothesis> grownAcross(const Samples& samples, SampleGraph& graph, const HeldGains& held,
+                                      const Candidate& candidate, const ProposalRules& rules, KnownGains& gains,
+                                      const List<Hypothesis>& pool) {
+  constexpr double kMuchMore = 1.4;
+  if (!rules.noise.ofDepthCamera() || kindOf(candidate.shape) == Kind::plane) return std::nullopt;
+  const double reach = reachAcross(candidate, rules);
+  Hypothesis hypothesis;
+  List<std::uint32_t> around, piece;
+  describe(candidate, hypothesis);
+  inliersAround(candidate.point, reach, samples, held, widenFor(candidate, rules), hypothesis, around);
+  graph.connected(candidate.sample, MayStandFor(samples, candidate, rules, reach, gains), piece);
+  if (static_cast<double>(around.size()) < kMuchMore * static_cast<double>(piece.size())) return std::nullopt;
+  Refusals twice;  // counted already
+  const Outcome outcome = grow(samples, held, rules, std::move(around), pool, hypothesis, twice);
+  if (outcome != Outcome::grown || kindOf(hypothesis.shape) == Kind::plane) return std::nullopt;
+  return hypothesis;
+}
+
 /// What so many stronger candidates could not explain, a weaker one will not.
 constexpr std::uint8_t kTries = 2;
 
@@ -141,11 +170,19 @@ void Proposer::propose(const Samples& samples, SampleGraph& graph, const List<Ca
     if (!wants(candidate.sample)) continue;
     Hypothesis hypothesis;
     describe(candidate, hypothesis);
-    graph.connected(candidate.sample, MayStandFor(samples, candidate, rules, gains), part_);
+    gains.begin(samples.size());
+    graph.connected(candidate.sample, MayStandFor(samples, candidate, rules, reachFor(candidate, rules), gains), part_);
     if (static_cast<std::size_t>(std::count_if(part_.begin(), part_.end(), unexplained)) < needed / 2) {
       ++refusals[Refusal::few_inliers];
     } else {
       const Outcome outcome = grow(samples, held_, rules, part_, pool, hypothesis, refusals);
+      if (outcome == Outcome::nothing || kindOf(hypothesis.shape) == Kind::plane) {
+        if (auto across = grownAcross(samples, graph, held_, candidate, rules, gains, pool)) {
+          hold(*across, held_);
+          pool.push_back(std::move(*across));
+          if (outcome == Outcome::nothing) continue;
+        }
+      }
       if (outcome != Outcome::nothing) hold(hypothesis, held_);
       if (outcome == Outcome::grown) {
         pool.push_back(std::move(hypothesis));

@@ -16,6 +16,8 @@ namespace primitect {
 
 struct Samples {
   List<float> x, y, z, nx, ny, nz;
+  /// Where the surface has this normal, if it is curved: beside a point of which it was estimated from one side.
+  List<float> px, py, pz;
   List<float> normal_sigma;  ///< rad, noise of the normal about each axis as far as it is known, else 0
   List<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
@@ -37,6 +39,7 @@ struct Samples {
     const auto add = [](auto& values, const auto& other) { values.insert(values.end(), other.begin(), other.end()); };
     add(x, more.x), add(y, more.y), add(z, more.z);
     add(nx, more.nx), add(ny, more.ny), add(nz, more.nz);
+    add(px, more.px), add(py, more.py), add(pz, more.pz);
     add(normal_sigma, more.normal_sigma), add(sigma, more.sigma);
     add(inverse_tolerance, more.inverse_tolerance), add(normal_loss, more.normal_loss);
     add(farthest_turn, more.farthest_turn);
@@ -51,6 +54,7 @@ struct Samples {
       const std::uint32_t i = indices[k];
       result.x[k] = x[i], result.y[k] = y[i], result.z[k] = z[i];
       result.nx[k] = nx[i], result.ny[k] = ny[i], result.nz[k] = nz[i];
+      result.px[k] = px[i], result.py[k] = py[i], result.pz[k] = pz[i];
       result.normal_sigma[k] = normal_sigma[i];
       result.index[k] = index[i];
     }
@@ -62,6 +66,7 @@ struct Samples {
   }
   Vec3 point(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+  Vec3 placeOfNormal(std::size_t i) const { return {px[i], py[i], pz[i]}; }
   bool hasNormal(std::size_t i) const { return nx[i] == nx[i]; }
   kernels::Samples view() const { return {x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data(), x.size()}; }
   /// held: the best gain that other shapes have at each sample.
@@ -77,6 +82,9 @@ struct Samples {
             nx.data(),
             ny.data(),
             nz.data(),
+            px.data(),
+            py.data(),
+            pz.data(),
             inverse_tolerance.data(),
             normal_loss.data(),
             farthest_turn.data(),
@@ -84,8 +92,14 @@ struct Samples {
   }
 
  private:
-  std::array<List<float>*, 11> fields() {
-    return {&x, &y, &z, &nx, &ny, &nz, &normal_sigma, &sigma, &inverse_tolerance, &normal_loss, &farthest_turn};
+  std::array<List<float>*, 14> fields() {
+    return {&x,           &y,
+            &z,           &nx,
+            &ny,          &nz,
+            &px,          &py,
+            &pz,          &normal_sigma,
+            &sigma,       &inverse_tolerance,
+            &normal_loss, &farthest_turn};
   }
 };
 

@@ -77,7 +77,9 @@ void Sampler::draw(std::size_t count, std::uint64_t seed, Samples& samples) {
   std::size_t next = 0;
   for (const std::uint32_t i : curve_.order(x_, y_, z_)) {
     samples.index[next] = chosen_[i];
-    samples.x[next] = x_[i], samples.y[next] = y_[i], samples.z[next] = z_[i];
+    samples.x[next] = samples.px[next] = x_[i];
+    samples.y[next] = samples.py[next] = y_[i];
+    samples.z[next] = samples.pz[next] = z_[i];
     ++next;
   }
   constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();

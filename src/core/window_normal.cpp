@@ -44,6 +44,14 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
   return plane.used >= needed && std::abs(plane.c) < static_cast<double>(task.tolerance);
 }
 
+/// A window that reaches beyond a limb or an occluder holds pixels of one side: there its normal is the surface's.
+Vec3 placeOf(const kernels::WindowPlane& plane, const kernels::WindowTask& task, const Vec3& point,
+             const Vec3& direction) {
+  const double z = task.depth / (1.0 + plane.a * plane.u + plane.b * plane.v + plane.c);
+  const Vec3 way = Vec3((task.u + plane.u) * z, (task.v + plane.v) * z, z) - point;
+  return point + way - way.dot(direction) * direction;
+}
+
 /// What the pixels of a window are off a plane, every second one of every second row.
 struct WindowErrors {
   static constexpr std::size_t kEvery = 2, kMost = kernels::kLargestHalfWidth + 1;
@@ -134,7 +142,8 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
   const Vec3 normal(plane.a, plane.b, 1.0 + plane.c - plane.a * task.u - plane.b * task.v);
   // a and b turn the plane; c is known much better.
   const double noise = noise_scale * axialNoise(center.z()) / center.z() * std::sqrt(plane.variance) / normal.norm();
-  return WindowNormal{-normal.normalized(), noise};
+  const Vec3 direction = -normal.normalized();
+  return WindowNormal{direction, placeOf(plane, task, center, direction), noise};
 }
 
 std::optional<WindowNoise> windowNoise(const Cloud& image, std::uint32_t pixel, int half_width,

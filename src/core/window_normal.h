@@ -14,6 +14,7 @@ namespace primitect {
 
 struct WindowNormal {
   Vec3 direction;
+  Vec3 place;    ///< (m) amid the pixels, in the plane through the point: where a curved surface has this normal
   double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
 };
 

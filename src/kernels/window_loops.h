@@ -29,8 +29,9 @@ struct WindowTask {
 /// d = a (u - u of the centre) + b (v - v of the centre) + c.
 struct WindowPlane {
   double a = 0.0, b = 0.0, c = 0.0;
-  double variance = 0.0;  ///< of a and b (mean), for noise of d of 1
-  int used = 0;           ///< pixels; 0: there is no such plane
+  double u = 0.0, v = 0.0;  ///< mean of its pixels, from the centre
+  double variance = 0.0;    ///< of a and b (mean), for noise of d of 1
+  int used = 0;             ///< pixels; 0: there is no such plane
 };
 
 }  // namespace primitect::kernels

@@ -212,6 +212,25 @@ TEST(Gain, TakesMoreNoiseOfANormalThatIsKnownToBeBad) {
   EXPECT_EQ(test::inlierCount(hypothesisOf(kPlane, samples)), 1u);
 }
 
+TEST(Gain, JudgesANormalWhereItIsThatOfTheSurface) {
+  const Cylinder tube = {Vec3(0, 0, 1), Vec3(0, 1, 0), 0.05};
+  const auto at = [&tube](double degrees) {
+    return Vec3(tube.point +
+                tube.radius * Vec3(std::sin(degrees * test::kDegree), 0, -std::cos(degrees * test::kDegree)));
+  };
+  // On the limb, with the normal of what is seen 20 deg before it.
+  Samples samples = test::samplesOf({{at(80.0), normalAt(tube, at(60.0))}});
+  const NoiseModel sharp = {0.001, 0.0, 0.15};
+  applyNoise(sharp, samples);
+  EXPECT_EQ(test::inlierCount(hypothesisOf(tube, samples)), 0u);
+  samples.px[0] = static_cast<float>(at(60.0).x()), samples.pz[0] = static_cast<float>(at(60.0).z());
+  EXPECT_EQ(test::inlierCount(hypothesisOf(tube, samples)), 1u);
+  // The distance is still that of the point.
+  samples.x[0] += 0.01f;
+  applyNoise(sharp, samples);
+  EXPECT_EQ(test::inlierCount(hypothesisOf(tube, samples)), 0u);
+}
+
 TEST(Evaluate, WidensTheToleranceOfAShapeThatIsNotFittedYet) {
   const Samples samples = samplesWith(kNoiseModel, {strayed(kPoints[1].second, 2.5 * kTolerance, 0.0)});
   Hypothesis hypothesis = hypothesisOf(kSphere, samples);

@@ -5,16 +5,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "test/support/hypotheses.h"
 
 namespace primitect {
 namespace {
 
+using test::hypothesisOf;
 using test::kDegree;
 using test::kNoise;
 using test::measured;
 using test::patchOf;
 using test::proposalAt;
+using test::samplesOf;
 using test::samplesWith;
 using test::SurfacePoint;
 
@@ -40,6 +45,40 @@ TEST(MeasuredNoise, IsThatOfDistancesAndNormals) {
     EXPECT_NEAR(noise.angle, 4.0 * angle, 0.15 * 4.0 * angle);
     EXPECT_EQ(noise.depth_share, 0.0);
   }
+}
+
+TEST(MeasuredNoise, TellsHowMuchMoreNormalsAreOffThanIsKnownOfThem) {
+  const Params params;
+  const Sphere ball = {Vec3(0, 0, 1), 0.2};
+  for (const auto& [known, actual] : {std::pair(0.02f, 0.06), std::pair(0.01f, 0.05), std::pair(0.05f, 0.03)}) {
+    Random random(86);
+    const ProposalRules rules = rulesBeforeMeasuring(params);
+    Samples samples = samplesOf(measured(patchOf(ball, 1000, random), kNoise, actual, random));
+    std::fill(samples.normal_sigma.begin(), samples.normal_sigma.end(), known);
+    applyNoise(rules.noise, samples);
+    const NoiseModel noise = measureNoise(samples, {proposalAt(ball, samples, 0)}, rules).value();
+    const double times = std::max(1.0, actual / static_cast<double>(known));
+    EXPECT_NEAR(noise.normals, times, 0.15 * times) << known;
+  }
+}
+
+/// Off a wall by this angle (rad), where so many times what is known of normals (.02 rad) was measured.
+double gainOfNormalOff(double angle, double times) {
+  NoiseModel noise = {kNoise, 0.0, 0.12};
+  noise.normals = times;
+  Samples samples = samplesOf({{Vec3(0, 0, 1), Vec3(std::sin(angle), 0, -std::cos(angle))}});
+  samples.normal_sigma[0] = 0.02f;
+  applyNoise(noise, samples);
+  const Hypothesis wall = hypothesisOf(kWall, samples);
+  return wall.support.empty() ? -1.0 : static_cast<double>(wall.support[0].gain);
+}
+
+TEST(MeasuredNoise, IsToleratedOfNormalsUpToSixteenDegrees) {
+  EXPECT_LT(gainOfNormalOff(0.2, 1.0), 0.0);
+  EXPECT_GT(gainOfNormalOff(0.2, 3.0), 0.0);  // .24 rad are tolerated
+  EXPECT_GT(gainOfNormalOff(0.1, 1.0), 0.0);
+  EXPECT_GT(gainOfNormalOff(0.3, 6.0), 0.0);  // .28, not .48
+  EXPECT_LT(gainOfNormalOff(0.35, 6.0), 0.0);
 }
 
 TEST(MeasuredNoise, ComesFromWhatFitsBestWhenOtherCandidatesAreNoShapes) {

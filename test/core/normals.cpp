@@ -125,6 +125,39 @@ TEST(WindowNormals, ReachTheCornersOfTheImage) {
   }
 }
 
+/// Exact points of a tube that stands upright 1 m away, with nothing behind it.
+Cloud cloudOfTube(const Cylinder& tube) {
+  Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Vec3 ray = cloud.point(i) / cloud.z[i];
+    const double across = ray.x() * ray.x() + 1.0, half = tube.point.z();
+    const double root = half * half - across * (half * half - tube.radius * tube.radius);
+    const double z = root > 0.0 ? (half - std::sqrt(root)) / across : std::numeric_limits<double>::quiet_NaN();
+    cloud.x[i] = static_cast<float>(ray.x() * z), cloud.y[i] = static_cast<float>(ray.y() * z);
+    cloud.z[i] = static_cast<float>(z);
+  }
+  return cloud;
+}
+
+TEST(WindowNormals, BesideALimbAreThoseOfTheMiddleOfTheirPixels) {
+  const Cylinder tube = {Vec3(0, 0, 1.0), Vec3::UnitY(), 0.06};
+  const Cloud cloud = cloudOfTube(tube);
+  const auto off = [&tube](const WindowNormal& found, const Vec3& place) {
+    return std::acos(found.direction.dot(normalAt(tube, place))) / kDegree;
+  };
+  int beside = 0;
+  for (std::uint32_t column = 0; column < 160; ++column) {
+    const std::uint32_t pixel = 60 * 160 + column;
+    const std::optional<WindowNormal> found = windowNormal(cloud, pixel, 5);
+    if (!found) continue;
+    const Vec3 point = cloud.point(pixel);
+    EXPECT_NEAR(found->direction.dot(found->place - point), 0.0, 1e-6);
+    EXPECT_LT(off(*found, found->place), 6.0) << column;
+    beside += off(*found, point) > 9.0 ? 1 : 0;
+  }
+  EXPECT_EQ(beside, 2) << "one at either limb, where the normal at the point itself is another one";
+}
+
 TEST(NeighborNormals, OfUnorganizedCloudsFollowTheSphere) {
   // Of all sides: no camera sees that from one place.
   Random random(32);

@@ -39,14 +39,18 @@ struct Proposed {
   }
 };
 
-Proposed proposed(const Samples& samples, const List<Candidate>& candidates, const Params& params = Params()) {
+Proposed proposed(const Samples& samples, const List<Candidate>& candidates, const ProposalRules& rules) {
   SampleGraph graph;
   graph.build(samples);
   Proposed result;
   Proposer proposer;
   proposer.begin(HeldGains(samples.size(), 0.0f));
-  proposer.propose(samples, graph, candidates, rulesOf(params), result.pool, result.refusals);
+  proposer.propose(samples, graph, candidates, rules, result.pool, result.refusals);
   return result;
+}
+
+Proposed proposed(const Samples& samples, const List<Candidate>& candidates, const Params& params = Params()) {
+  return proposed(samples, candidates, rulesOf(params));
 }
 
 Samples noisy(const std::vector<SurfacePoint>& points, std::uint64_t seed) {
@@ -272,6 +276,30 @@ TEST(Proposal, DoesNotReachOverAGap) {
   EXPECT_TRUE(small.pool.empty());
   EXPECT_EQ(small.refusals[Refusal::few_inliers], 1u);
   EXPECT_EQ(proposed(samples, {proposalAt(kWall, samples, 10)}, params).pool.size(), 1u);
+}
+
+TEST(Proposal, OfATubeReachesOverAGapOfADepthImageWhereEitherSideIsFlat) {
+  // Two strips of a can, 20 deg wide, with 40 deg between them that a pole hides.
+  Random random(87);
+  const NoiseModel camera = {0.0, 0.002, 0.15};
+  std::vector<SurfacePoint> points;
+  for (const SurfacePoint& p : patchOf(kCan, 3000, -0.1, 0.1, random)) {
+    const double angle = std::abs(std::atan2(p.point.x(), 1.0 - p.point.z())) / kDegree;
+    if (angle > 20.0 && angle < 40.0) points.push_back(p);
+  }
+  const Samples samples = samplesWith(camera, measured(points, 0.0005, 0.03, random));
+  const Params params;
+  ProposalRules rules = {camera, {params, 0.4}, 1.5, 0.3};
+  const Proposed found = proposed(samples, {proposalAt(kCan, samples, 0)}, rules);
+  ASSERT_EQ(found.pool.size(), 2u) << "its own strip as a plane, too: the two compete";
+  EXPECT_EQ(kindOf(found.pool[0].shape), Kind::cylinder);
+  EXPECT_EQ(kindOf(found.pool[1].shape), Kind::plane);
+  EXPECT_GT(found.pool[0].inliers, 0.9 * static_cast<double>(points.size()));
+  // Points of other sensors may lie at any distance from each other.
+  rules.noise = {0.002, 0.0, 0.15};
+  for (const Hypothesis& other : proposed(samples, {proposalAt(kCan, samples, 0)}, rules).pool) {
+    EXPECT_EQ(kindOf(other.shape), Kind::plane);
+  }
 }
 
 TEST(Proposal, CountsWhatIsRefused) {

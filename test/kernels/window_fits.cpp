@@ -95,6 +95,9 @@ int compareWithDefinition(const Cloud& cloud, std::size_t half_width) {
       EXPECT_NEAR(found.a, plain.a, 1e-4) << loops->name << " at " << pixel;
       EXPECT_NEAR(found.b, plain.b, 1e-4);
       EXPECT_NEAR(found.c, plain.c, 1e-6);
+      // Of windows a few hundredths wide.
+      EXPECT_NEAR(found.u, plain.u, 1e-6);
+      EXPECT_NEAR(found.v, plain.v, 1e-6);
       EXPECT_NEAR(found.variance, plain.variance, 1e-4 * plain.variance);
     }
   }

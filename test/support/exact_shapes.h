@@ -86,6 +86,9 @@ inline void append(Samples& samples, const SurfacePoint& p) {
   samples.x.push_back(o.point.x);
   samples.y.push_back(o.point.y);
   samples.z.push_back(o.point.z);
+  samples.px.push_back(o.point.x);
+  samples.py.push_back(o.point.y);
+  samples.pz.push_back(o.point.z);
   samples.nx.push_back(o.normal.x);
   samples.ny.push_back(o.normal.y);
   samples.nz.push_back(o.normal.z);

@@ -38,6 +38,7 @@ kernels::WindowPlane plainPass(const kernels::PointImage& image, const kernels::
   const Vec3 found = solver.solve(right);
   const Eigen::Matrix3d spread = solver.solve(Eigen::Matrix3d::Identity());
   plane.a = found.x(), plane.b = found.y(), plane.c = found.z();
+  plane.u = moments(0, 2) / plane.used, plane.v = moments(1, 2) / plane.used;
   plane.variance = 0.5 * (spread(0, 0) + spread(1, 1));
   return plane;
 }

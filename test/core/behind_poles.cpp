@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cans with something thin and upright before their middle, as a pole or a finger of a gripper.
+#include <gtest/gtest.h>
+
+#include "primitect/detector.h"
+#include "test/support/rendered_cloud.h"
+#include "test/support/scenes.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kHeight = 0.15;  // m
+
+/// A can on a table .9 m away, and 10 cm before its axis a square pole of that width (m).
+bool findsCan(double radius, double width, std::uint64_t seed) {
+  const Eigen::Isometry3d table = test::tableBeforeCamera(0.9, 37.0 * test::kDegree);
+  synthetic::World world;
+  world.add("table", synthetic::Sheet{1.0, 0.6}, table);
+  const Eigen::Isometry3d middle = table * Eigen::Translation3d(0.0, 0.0, 0.5 * kHeight);
+  world.add("can", synthetic::Rod{radius, 0.5 * kHeight}, middle);
+  world.add("pole", synthetic::Box{0.5 * width, 0.5 * width, 0.15}, table * Eigen::Translation3d(0.0, -0.1, 0.15));
+  Detector detector{Params()};
+  for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed)).items) {
+    const Cylinder* can = std::get_if<Cylinder>(&item.shape);
+    if (!can) continue;
+    const bool near = can->axis.cross(middle.translation() - can->point).norm() < 0.005;
+    if (near && std::abs(can->radius - radius) < 0.003) return true;
+  }
+  return false;
+}
+
+int found(double radius, double width) {
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) count += findsCan(radius, width, seed) ? 1 : 0;
+  return count;
+}
+
+TEST(BehindPoles, CansAreOneThing) {
+  EXPECT_EQ(found(0.04, 0.006), 8);
+  EXPECT_GE(found(0.04, 0.012), 6) << "none where only what is one piece is looked at";
+  EXPECT_GE(found(0.033, 0.012), 6);
+  EXPECT_GE(found(0.05, 0.02), 4) << "none where normals are judged at their points";
+}
+
+}  // namespace
+}  // namespace primitect
