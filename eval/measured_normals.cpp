@@ -23,7 +23,9 @@ Samples samplesAt(const std::vector<std::uint32_t>& points, const Cloud& cloud) 
   samples.resize(points.size());
   samples.index.assign(points.begin(), points.end());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    samples.x[k] = cloud.x[points[k]], samples.y[k] = cloud.y[points[k]], samples.z[k] = cloud.z[points[k]];
+    samples.x[k] = samples.px[k] = cloud.x[points[k]];
+    samples.y[k] = samples.py[k] = cloud.y[points[k]];
+    samples.z[k] = samples.pz[k] = cloud.z[points[k]];
     samples.nx[k] = samples.ny[k] = samples.nz[k] = kMissing;
   }
   return samples;

@@ -35,7 +35,7 @@ def mix():
     yield Recipe("clutter"), ALL, FULL
     yield Recipe("clutter"), ALL_BOTH, FEW
     yield Recipe("tabletop", noise_scale=2.0), ALL, FEW
-    # The noise of recorded frames is shared by some pixels, and up to so much more than a pixel's own noise of that name.
+    # The noise of recorded frames is shared by some pixels, and up to so much more than the usual.
     for name in ("tabletop", "clutter", "heap", "hall"):
         yield Recipe(name, noise_grain=5), ALL, SOME
         yield Recipe(name, noise_scale=1.5, noise_grain=5), ALL, FEW

@@ -74,7 +74,7 @@ class WindowSizes {
   static double noisePerTurn(const NormalSource& source) {
     // Of 200 draws of a recorded checkerboard, up to 2 m away, none carries a curved shape. With 0.07 instead of 0.055
     // clutter whose noise five pixels share (compare --set clutter --noise-grain 5 --seeds 3000:60) is 82.3 / 99.4 %
-    // right and found instead of 83.5 / 99.1, tables 96.9 / 96.6 instead of 97.3 / 96.9.
+    // right and found instead of 83.5 / 99.1, tables (2700:60) 96.9 / 96.6 instead of 97.3 / 96.9.
     constexpr double kMostTurn = 0.15, kMostUsualTurn = 0.055;  // one standard deviation
     const double grainy = source.grain > 1.0 ? source.grain / kMostTurn : 0.0;
     const double usual = source.usual_grain > 1.0 ? source.usual_grain / kMostUsualTurn : 0.0;

@@ -19,8 +19,8 @@ void gather(const Samples& samples, const HeldGains& held, const Candidate& cand
 /// within reach of its reference, are fitted with all four kinds that moments promise (then by robust least squares);
 /// the kind with the best score wins, takes all samples that it fits, and competes again on these if it grew. Limits
 /// hold after every fit. What grows into a hypothesis that is known is dropped, but its samples count as explained.
-/// In frames of a depth camera what hides the middle of a thing may leave flat parts: where votes for a ball, tube or cone
-/// lead to none, it may grow from all that lies around, too. Where two candidates failed, no other is tried.
+/// In frames of a depth camera what hides the middle of a thing may leave flat parts: where votes for a ball, tube or
+/// cone lead to none, it may grow from all that lies around, too. Where two candidates failed, no other is tried.
 class Proposer {
  public:
   /// Starts with what explains the samples already.

@@ -16,7 +16,8 @@ namespace primitect {
 
 struct Samples {
   List<float> x, y, z, nx, ny, nz;
-  /// Where the surface has this normal, if it is curved: beside a point of which it was estimated from one side.
+  /// m, where on a curved surface the normal holds: amid the pixels that it was fitted to, else the point. Fits begin
+  /// with normals at their points all the same.
   List<float> px, py, pz;
   List<float> normal_sigma;  ///< rad, noise of the normal about each axis as far as it is known, else 0
   List<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel

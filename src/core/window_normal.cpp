@@ -44,7 +44,8 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
   return plane.used >= needed && std::abs(plane.c) < static_cast<double>(task.tolerance);
 }
 
-/// A window that reaches beyond a limb or an occluder holds pixels of one side: there its normal is the surface's.
+/// A window that reaches beyond a limb or an occluder holds pixels of one side: there its normal is the surface's. In
+/// the plane through the point, whose noise it then shares. 1 + a u + b v + c is the mean of depth / z, above 0.
 Vec3 placeOf(const kernels::WindowPlane& plane, const kernels::WindowTask& task, const Vec3& point,
              const Vec3& direction) {
   const double z = task.depth / (1.0 + plane.a * plane.u + plane.b * plane.v + plane.c);

@@ -28,7 +28,7 @@ struct FlatShape {
 /// Samples with what they allow; see NoiseModel.
 struct JudgedSamples {
   const float *x, *y, *z, *nx, *ny, *nz;
-  const float *px, *py, *pz;       ///< where the normals are those of the surface
+  const float *px, *py, *pz;       ///< m, where the normals are those of the surface
   const float* inverse_tolerance;  ///< 1/m: distance at which nothing is gained
   const float* normal_loss;        ///< what 1 - cos of the normals' angle takes from the gain
   const float* farthest_turn;      ///< 1 - cos from which on a normal belongs to another surface

@@ -29,7 +29,7 @@ struct WindowTask {
 /// d = a (u - u of the centre) + b (v - v of the centre) + c.
 struct WindowPlane {
   double a = 0.0, b = 0.0, c = 0.0;
-  double u = 0.0, v = 0.0;  ///< mean of its pixels, from the centre
+  double u = 0.0, v = 0.0;  ///< mean of its pixels, from the centre: x / z and y / z
   double variance = 0.0;    ///< of a and b (mean), for noise of d of 1
   int used = 0;             ///< pixels; 0: there is no such plane
 };

@@ -3,6 +3,10 @@
 // Cans with something thin and upright before their middle, as a pole or a finger of a gripper.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <variant>
+
 #include "primitect/detector.h"
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"

@@ -143,7 +143,7 @@ TEST(WindowNormals, BesideALimbAreThoseOfTheMiddleOfTheirPixels) {
   const Cylinder tube = {Vec3(0, 0, 1.0), Vec3::UnitY(), 0.06};
   const Cloud cloud = cloudOfTube(tube);
   const auto off = [&tube](const WindowNormal& found, const Vec3& place) {
-    return std::acos(found.direction.dot(normalAt(tube, place))) / kDegree;
+    return std::acos(std::min(found.direction.dot(normalAt(tube, place)), 1.0)) / kDegree;
   };
   int beside = 0;
   for (std::uint32_t column = 0; column < 160; ++column) {

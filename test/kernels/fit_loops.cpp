@@ -28,18 +28,22 @@ const std::vector<Shape>& shapes() {
   return kShapes;
 }
 
-/// Points and normals in a cube of 40 cm, with noise as of a sensor.
+/// Points and normals in a cube of 40 cm, with noise as of a sensor; the normals are those of places 1 cm beside them.
 Samples randomSamples(std::size_t count, Random& random) {
   std::vector<test::SurfacePoint> points;
   for (std::size_t i = 0; i < count; ++i)
     points.push_back({0.2 * test::randomPoint(random), test::randomDirection(random)});
-  return test::samplesWith({0.02, 0.0, 0.5}, points);
+  Samples samples = test::samplesWith({0.02, 0.0, 0.5}, points);
+  for (List<float>* places : {&samples.px, &samples.py, &samples.pz}) {
+    for (float& value : *places) value += 0.01f * static_cast<float>(random.gaussian());
+  }
+  return samples;
 }
 
 /// What core/hypothesis.h says of gains.
 double gainOf(const Shape& shape, double side, double widen, const Samples& samples, std::size_t i) {
   const double share = distance(shape, samples.point(i)) * samples.inverse_tolerance[i] / widen;
-  const double turn = 1.0 - side * samples.normal(i).dot(normalAt(shape, samples.point(i)));
+  const double turn = 1.0 - side * samples.normal(i).dot(normalAt(shape, samples.placeOfNormal(i)));
   if (!(std::abs(share) < 2.0 && turn < samples.farthest_turn[i])) return kernels::kNoGain;
   return std::max(1.0 - share * share - samples.normal_loss[i] * turn, -1.2);
 }
