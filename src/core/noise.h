@@ -24,7 +24,7 @@ struct NoiseModel {
   double growth = 1.0;       ///< times its growth with the depth
   double normals = 1.0;      ///< times the normal_sigma of samples: what pixels share is not in it
   /// rad, what normals may be off by that. With .5 clutter whose noise five pixels share carries twice as many curved
-  /// shapes (compare --set clutter --noise-grain 5 --seeds 3060:60), with .23 fewer things are found in halls.
+  /// shapes (compare --set clutter --noise-grain 5 --seeds 3000:60), with .23 fewer things are found in halls.
   double most_turn = 0.28;
 
   bool ofDepthCamera() const { return depth_share > 0.0; }
