@@ -3,11 +3,10 @@
 // Cans with something thin and upright before their middle, as a pole or a finger of a gripper.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
-#include <variant>
 
 #include "primitect/detector.h"
+#include "test/support/found_cans.h"
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
@@ -25,13 +24,7 @@ bool findsCan(double radius, double width, std::uint64_t seed) {
   world.add("can", synthetic::Rod{radius, 0.5 * kHeight}, middle);
   world.add("pole", synthetic::Box{0.5 * width, 0.5 * width, 0.15}, table * Eigen::Translation3d(0.0, -0.1, 0.15));
   Detector detector{Params()};
-  for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed)).items) {
-    const Cylinder* can = std::get_if<Cylinder>(&item.shape);
-    if (!can) continue;
-    const bool near = can->axis.cross(middle.translation() - can->point).norm() < 0.005;
-    if (near && std::abs(can->radius - radius) < 0.003) return true;
-  }
-  return false;
+  return test::isCanFound(middle.translation(), radius, detector.detect(test::renderedCloud(world, {}, seed)));
 }
 
 int found(double radius, double width) {

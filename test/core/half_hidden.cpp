@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "primitect/detector.h"
+#include "test/support/found_cans.h"
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
@@ -22,13 +23,7 @@ bool findsCan(double edge, std::uint64_t seed) {
   world.add("box", synthetic::Box{0.2, 0.01, 0.1},
             table * Eigen::Translation3d(edge * kRadius - 0.2, -kRadius - 0.03, 0.1));
   Detector detector{Params()};
-  for (const Detection& item : detector.detect(test::renderedCloud(world, {}, seed)).items) {
-    const Cylinder* can = std::get_if<Cylinder>(&item.shape);
-    if (!can) continue;
-    const bool near = can->axis.cross(middle.translation() - can->point).norm() < 0.005;
-    if (near && std::abs(can->radius - kRadius) < 0.003) return true;
-  }
-  return false;
+  return test::isCanFound(middle.translation(), kRadius, detector.detect(test::renderedCloud(world, {}, seed)));
 }
 
 int found(double edge) {
