@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/axis_extent.h"
 #include "core/flat_gradients.h"
 #include "core/symmetric_eigen.h"
 
@@ -124,6 +125,17 @@ Hessian covarianceOf(const Sums& sums, int parameters) {
   return factor * directions.fit * scores * directions.fit + directions.unknown;
 }
 
+/// Once both turns of the axis were measured besides, with this deviation (rad): a Kalman update. Of other kinds as it
+/// is.
+Hessian withAxis(const Hessian& covariance, const Shape& shape, double deviation) {
+  if (!hasAxis(kindOf(shape))) return covariance;
+  const int first = kindOf(shape) == Kind::cylinder ? 2 : 3;  // residuals.h
+  const Eigen::Matrix<double, kMostParameters, 2> with_turns = covariance.middleCols<2>(first);
+  const Eigen::Matrix2d both =
+      covariance.block<2, 2>(first, first) + deviation * deviation * Eigen::Matrix2d::Identity();
+  return covariance - with_turns * both.inverse() * with_turns.transpose();
+}
+
 /// How the origin of the pose shifts (rows 0 to 2) and turns (3 to 5) with the local parameters, what is not observed,
 /// and how the published radius changes.
 struct Published {
@@ -218,8 +230,9 @@ Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const P
 }
 
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const PointNoise& sigma, double shared_noise) {
-  const Hessian local = measureCovariance(shape, inliers, sigma, shared_noise);
+                               const PointNoise& sigma, double shared_noise, double axis_deviation) {
+  const Hessian by_points = measureCovariance(shape, inliers, sigma, shared_noise);
+  const Hessian local = std::isfinite(axis_deviation) ? withAxis(by_points, shape, axis_deviation) : by_points;
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   Hessian observed = published.jacobian * local * published.jacobian.transpose();
   if (const Cone* cone = std::get_if<Cone>(&shape)) {

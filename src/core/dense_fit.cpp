@@ -118,11 +118,13 @@ List<Shape> startsAround(const Shape& shape, const FitPoints& points) {
 /// A fit to so many points shows the way. Prime: seldom in time with the rows of an image.
 constexpr std::size_t kFew = 509;
 
-std::optional<Shape> refineOnce(const Shape& start, const FitPoints& points, PointErrors errors) {
+std::optional<Shape> refineOnce(const Shape& start, const FitPoints& points, PointErrors errors,
+                                bool hold_axis = false) {
   // In tolerances, which are three deviations: of what few points leave open, 0.04, and all, 0.01, these are a part
   // that does not count; what is left after a step is a tenth of it.
   RefineRules rules;
   rules.small_step = 0.02;
+  rules.hold_axis = hold_axis;
   return errors == PointErrors::along_rays ? refineAlongRays(start, points, rules) : refine(start, points, rules);
 }
 
@@ -149,11 +151,13 @@ bool areMany(const FitPoints& points) { return points.size() >= 2 * kFew; }
 
 }  // namespace
 
-std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors) {
-  const Shape few = areMany(points) ? refineOnce(start, points.thinned(kFew), errors).value_or(start) : start;
-  const auto narrow = errors == PointErrors::along_rays ? narrowed(few, points) : std::nullopt;
+std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors, bool hold_axis) {
+  const Shape few =
+      areMany(points) ? refineOnce(start, points.thinned(kFew), errors, hold_axis).value_or(start) : start;
+  // About a given axis it does not open of itself.
+  const auto narrow = errors == PointErrors::along_rays && !hold_axis ? narrowed(few, points) : std::nullopt;
   const auto fit = narrow ? refineOnce(*narrow, points, errors) : std::nullopt;
-  return fit ? fit : refineOnce(few, points, errors);
+  return fit ? fit : refineOnce(few, points, errors, hold_axis);
 }
 
 PointsChoice refineOnPoints(const Shape& shape, const FitPoints& points, const Limits& limits) {

@@ -36,8 +36,9 @@ enum class PointErrors {
 };
 
 /// refine() (fitting.h) on many points: some of them show the way, and all of them take the last steps. Along
-/// the rays a cone takes these from narrower.
-std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors = PointErrors::across);
+/// the rays a cone takes these from narrower. hold_axis: see RefineRules.
+std::optional<Shape> refineDense(const Shape& start, const FitPoints& points, PointErrors errors = PointErrors::across,
+                                 bool hold_axis = false);
 
 /// What points make of a shape.
 struct PointsChoice {
@@ -47,6 +48,7 @@ struct PointsChoice {
   /// It is a cylinder, and a cone of 4 deg or more within the limits explains them nearly as well: which of the two
   /// it is nobody can tell.
   bool either = false;
+  bool upright = false;  ///< its axis is the normal of a face (upright.h), and stays
 };
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

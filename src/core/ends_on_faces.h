@@ -21,6 +21,10 @@ constexpr double kReachOfFaces = 5.0;
 /// a face has no one height.
 void endOn(const Detection& plane, double reach, const Shape& shape, Extent& extent);
 
+/// Whether what has this extent, as its samples tell it, may stand on the plane: the axis comes to the plane's observed
+/// part within 20 deg of the normal, and one of its ends is no farther from it than half of its length.
+bool mayStandOn(const Detection& plane, double reach, const Extent& extent);
+
 /// Names the planes among the items on which cylinders and cones end, those that endOn() would move their ends to, of
 /// several the nearest one. An end on a face counts as seen. sigma: m, noise of the distance to a surface.
 void nameEndFaces(const PointNoise& sigma, std::vector<Detection>& items);

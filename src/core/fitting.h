@@ -46,6 +46,7 @@ struct RefineRules {
   int most_steps = 10;       ///< these included
   double small_step = 1e-4;  ///< after a step that moves the surface at the points by less there is no other; root of
                              ///< the mean square of what it moves by, in shares of the tolerance
+  bool hold_axis = false;    ///< of a cylinder or a cone: as it is at the start
 };
 
 /// The shape with least sum of Tukey's biweight of geometric distances, by Gauss-Newton from the given start; points

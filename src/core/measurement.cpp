@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -97,8 +98,29 @@ Shape Measurement::unbiased(const Shape& fit) const {
 PointsChoice Measurement::start(const Detection& found) {
   const Shape& shape = found.shape;
   if (!hasAxis(kindOf(shape))) return {shape, false};
-  fit_points_.gather(within(ObservedPart(shape, found.extent), points_, tolerated_), tolerated_);
-  return refineOnPoints(shape, fit_points_, limits_);
+  gatherPart(found);
+  const PointsChoice choice = refineOnPoints(shape, fit_points_, limits_);
+  const std::optional<Shape> upright = uprightOnFace(choice.shape, Leaning::clear, found);
+  return upright ? PointsChoice{*upright, false, false, true} : choice;
+}
+
+/// Points to fit to: those of the part that samples saw.
+void Measurement::gatherPart(const Detection& found) {
+  fit_points_.gather(within(ObservedPart(found.shape, found.extent), points_, tolerated_), tolerated_);
+}
+
+/// Of the part that samples saw.
+std::optional<Shape> Measurement::uprightOnFace(const Shape& fit, Leaning leaning, const Detection& found) const {
+  constexpr double kKnown = kUprightDeviation;  // of the face's normal
+  if (!noise_.ofDepthCamera() || !hasAxis(kindOf(fit))) return std::nullopt;
+  const double reach = kReachOfFaces * sigma_(found.extent.origin);
+  const Detection* largest = nullptr;
+  for (const Detection* face : faces_) {
+    if (face->axis_stddev > kKnown || !mayStandOn(*face, reach, found.extent)) continue;
+    if (!largest || face->inlier_count > largest->inlier_count) largest = face;
+  }
+  if (!largest) return std::nullopt;
+  return uprightShape(fit, std::get<Plane>(largest->shape).normal, leaning, fit_points_, limits_);
 }
 
 /// Beyond what samples saw of an axis points of other surfaces are among them, which no image tells apart: of the
@@ -112,11 +134,11 @@ void Measurement::gatherClear(const List<std::uint32_t>& clear, const Detection&
   clear_ = withoutFarEnds(found.extent.rotation.col(2), std::move(clear_));
 }
 
-Shape Measurement::fittedToClear(const Shape& start) {
+Shape Measurement::fittedToClear(const Shape& start, bool upright) {
   fit_points_.gather(clear_, noise_);
   const bool along_rays = isFittedAlongRays(start);
   const std::optional<Shape> refined =
-      refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across);
+      refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across, upright);
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
   const Shape last = along_rays ? fit : unbiased(fit);
   // A few clear points may not hold a shape where all of its points are. But some of these may be of other surfaces,
@@ -127,9 +149,11 @@ Shape Measurement::fittedToClear(const Shape& start) {
 }
 
 /// Of a fit to the clear points.
-Uncertainty Measurement::uncertaintyOf(const Shape& fit, const Extent& extent) const {
+Uncertainty Measurement::uncertaintyOf(const Shape& fit, bool upright, const Extent& extent) const {
+  const double axis_deviation = upright ? kUprightDeviation : std::numeric_limits<double>::infinity();
   const auto from = [&](const SeenPoints& points) {
-    return measureUncertainty(fit, extent, points, sigma_, measureSharedNoise(fit, points, sigma_));
+    const double shared_noise = measureSharedNoise(fit, points, sigma_);
+    return measureUncertainty(fit, extent, points, sigma_, shared_noise, axis_deviation);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);
 }
@@ -140,19 +164,19 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
                                      const Detection& found, const PointsChoice& from) {
   constexpr int kTimes = 3;
   gatherClear(clear, found);
-  Fit fit = {fittedToClear(from.shape), 1.0, from.or_cone, from.either};
+  Fit fit = {fittedToClear(from.shape, from.upright), 1.0, from.or_cone, from.either, from.upright};
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
-    if (time == 0) fit.most_trust = trustInSizeOf(fit.shape);
+    if (time == 0) fit.most_trust = trustInSizeOf(fit.shape, fit.upright);
     clear_.gather(cloud_, rest);
-    fit.shape = fittedToClear(from.shape);
+    fit.shape = fittedToClear(from.shape, from.upright);
   }
   return fit;
 }
 
-double Measurement::trustInSizeOf(const Shape& fit) const {
-  return trustInSize(fit, uncertaintyOf(fit, measureExtent(fit, points_, {})));
+double Measurement::trustInSizeOf(const Shape& fit, bool upright) const {
+  return trustInSize(fit, uncertaintyOf(fit, upright, measureExtent(fit, points_, {})));
 }
 
 /// A sharp cone that its points do not determine is a cylinder: of cups of 5 to 7 deg, 24 mm thick and 1.3 m away, one
@@ -163,7 +187,11 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   const Fit fit = fitted(clear, on_surface, found, start(found));
   const Cone* cone = std::get_if<Cone>(&fit.shape);
   if (!cone || cone->half_angle > kSharpCone) return fit;
-  if (std::min(fit.most_trust, trustInSizeOf(fit.shape)) > kDoubtful) return fit;
+  if (std::min(fit.most_trust, trustInSizeOf(fit.shape, fit.upright)) > kDoubtful) return fit;
+  gatherPart(found);
+  if (const auto upright = uprightOnFace(fit.shape, Leaning::any, found)) {
+    return fitted(clear, on_surface, found, {*upright, false, false, true});
+  }
   const std::optional<Cylinder> cylinder = asCylinder(found.shape, fit_points_.middle());
   return cylinder && limits_.hold(*cylinder) ? fitted(clear, on_surface, found, {*cylinder, true, false}) : fit;
 }
@@ -195,6 +223,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
+  if (fit.upright && kindOf(detection.shape) != kind) detection.rival = kind;
   if (fit.or_cone) detection.rival = Kind::cone;
   // Of 52 on simulated halls, heaps and tables a third were cylinders, of recorded ones all.
   constexpr float kTrustInEither = 0.7f;
@@ -220,7 +249,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
-  const Uncertainty uncertainty = uncertaintyOf(detection.shape, detection.extent);
+  const Uncertainty uncertainty = uncertaintyOf(detection.shape, fit.upright, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));
   if (noise_.ofDepthCamera()) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "core/competition.h"
 #include "core/covariance.h"
@@ -15,6 +16,7 @@
 #include "core/point_noise.h"
 #include "core/seen_points.h"
 #include "core/truncation.h"
+#include "core/upright.h"
 #include "primitect/cloud.h"
 #include "primitect/params.h"
 #include "primitect/primitives.h"
@@ -49,20 +51,23 @@ class Measurement {
     double most_trust;  ///< in its size, see trustInSize()
     bool or_cone;       ///< see PointsChoice
     bool either;        ///< see PointsChoice
+    bool upright;       ///< see PointsChoice
   };
 
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
   PointsChoice start(const Detection& found);
   void gatherClear(const List<std::uint32_t>& clear, const Detection& found);
-  Shape fittedToClear(const Shape& start);
-  Uncertainty uncertaintyOf(const Shape& fit, const Extent& extent) const;
+  void gatherPart(const Detection& found);
+  std::optional<Shape> uprightOnFace(const Shape& fit, Leaning leaning, const Detection& found) const;
+  Shape fittedToClear(const Shape& start, bool upright);
+  Uncertainty uncertaintyOf(const Shape& fit, bool upright, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);
   void endAtFacesOrTip(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found,
              const PointsChoice& from);
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found);
-  double trustInSizeOf(const Shape& fit) const;
+  double trustInSizeOf(const Shape& fit, bool upright) const;
 
   const Cloud& cloud_;
   ImageRays rays_;

@@ -3,6 +3,7 @@
 // Robust Gauss-Newton on geometric distances; see fitting.h.
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/along_rays.h"
 #include "core/fitting.h"
@@ -38,6 +39,9 @@ constexpr int kParameters<Cylinder> = parameterCount(Kind::cylinder);
 template <>
 constexpr int kParameters<Cone> = parameterCount(Kind::cone);
 
+template <class T>
+constexpr bool kHasAxis = std::is_same_v<T, Cylinder> || std::is_same_v<T, Cone>;
+
 /// L D L' without pivots, which a matrix of squares does not need. Eigen's, with pivots and of a size that is known
 /// only when it runs, takes six times as many instructions: 2 % of a frame.
 template <int count>
@@ -67,6 +71,15 @@ Gradient solve(const kernels::NormalEquations& equations) {
     for (int k = row + 1; k < count; ++k) step[row] -= lower[k][row] * step[k];
   }
   return step;
+}
+
+/// As if points said nothing about where the axis of a cylinder or a cone points: it stays.
+void holdAxis(kernels::NormalEquations& equations) {
+  constexpr int kTurns[] = {2, 3};  // of both (steppedBeside())
+  for (const int turn : kTurns) {
+    for (int k = 0; k < kMostParameters; ++k) equations.hessian[turn][k] = equations.hessian[k][turn] = 0.0;
+    equations.right[turn] = 0.0;
+  }
 }
 
 /// With fixed weights a step is too short: points lose weight as the surface goes away from them. This times, it is
@@ -101,6 +114,7 @@ std::optional<Shape> refineKind(T shape, const FitPoints& points, const RefineRu
     const float scale = iteration < rules.wide_steps ? static_cast<float>(1.0 / rules.widen) : 1.0f;
     kernels::loops().normalEquations(flattenedBeside(points.middle(), shape, points.origin()), flattened(turnOf(shape)),
                                      pointsFor(shape), scale, equations);
+    if (kHasAxis<T> && rules.hold_axis) holdAxis(equations);
     const Gradient step = lengthOf(equations) * solve<kParameters<T>>(equations);
     shape = steppedBeside(points.middle(), shape, step);
     if (!usable(shape)) return std::nullopt;

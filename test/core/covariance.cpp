@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "core/extent.h"
 #include "core/fitting.h"
 #include "test/support/fit_errors.h"
@@ -266,6 +268,33 @@ TEST(Covariance, OfExactPointsIsSmallButNotSingular) {
     const int count = parameterCount(kind);
     EXPECT_GT(test::leastEigenvalue(covariance.topLeftCorner(count, count)), 0.0);
     EXPECT_LT(covariance.diagonal().head(count).maxCoeff(), 1e-8);
+  }
+}
+
+/// Two measurements of an axis have a variance of 1 / (1 / a + 1 / b), and what goes with it is better known, too.
+TEST(PoseCovariance, IsLessWhereTheAxisIsKnownBesides) {
+  constexpr double kKnown = 0.01;
+  Random random(13);
+  for (const Kind kind : {Kind::cylinder, Kind::cone}) {
+    const Patch patch = test::randomPatch(kind, 300, random);
+    const NoisyFit fit(patch, 0.004, NoiseDirection::any, random);
+    ASSERT_TRUE(fit.shape);
+    const Extent extent = measureExtent(*fit.shape, fit.measured);
+    const auto with = [&](double deviation) {
+      return measureUncertainty(*fit.shape, extent, fit.measured, fit.noise(), 1.0, deviation);
+    };
+    const Uncertainty alone = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
+    const Uncertainty both = with(kKnown), hardly = with(10.0), exactly = with(1e-6);
+    const double combined = 1.0 / (1.0 / std::pow(alone.axis_stddev, 2) + 1.0 / std::pow(kKnown, 2));
+    EXPECT_NEAR(both.axis_stddev, std::sqrt(combined), 1e-3 * both.axis_stddev) << kindName(kind);
+    EXPECT_NEAR(hardly.axis_stddev, alone.axis_stddev, 1e-3 * alone.axis_stddev);
+    EXPECT_LT(exactly.axis_stddev, 1e-3 * kKnown);
+    EXPECT_LE(exactly.radius_stddev, alone.radius_stddev);
+    if (kind == Kind::cone) {
+      EXPECT_LT(exactly.half_angle_stddev, 0.9 * alone.half_angle_stddev);
+    }
+    const Matrix6 pose = poseOf(both);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix6>(pose).eigenvalues()[0], 0.0);
   }
 }
 

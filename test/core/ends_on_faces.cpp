@@ -216,5 +216,27 @@ TEST(EndFaces, AreNoneOfACanBesideTheTableOrAboveIt) {
   }
 }
 
+TEST(MayStandOn, HoldsWhereTheNearerEndIsNoFartherThanHalfOfTheLength) {
+  Can can;
+  EXPECT_TRUE(mayStandOn(table(), kReach, can.extent()));
+  can.low = 0.06;  // of a length of 0.14: hidden below, or samples end before
+  EXPECT_TRUE(mayStandOn(table(), kReach, can.extent()));
+  can.low = 0.09;
+  EXPECT_FALSE(mayStandOn(table(), kReach, can.extent()));
+  can.low = -0.05, can.high = 0.15;
+  EXPECT_TRUE(mayStandOn(table(), kReach, can.extent()));
+}
+
+TEST(MayStandOn, AsksWhereTheAxisMeetsThePlaneAndHow) {
+  Can beside;
+  beside.foot = kMiddle + 0.45 * kRight;
+  EXPECT_FALSE(mayStandOn(table(), kReach, beside.extent()));
+  for (const double lean : {0.3, 0.4}) {
+    Can can;
+    can.up = Eigen::AngleAxisd(lean, kRight) * kUp;
+    EXPECT_EQ(mayStandOn(table(), kReach, can.extent()), lean < 0.349) << lean;
+  }
+}
+
 }  // namespace
 }  // namespace primitect

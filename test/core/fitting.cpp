@@ -188,5 +188,26 @@ TEST(Refinement, FindsASlenderConeFromOneThatTapersLessOrMore) {
   }
 }
 
+/// Of cylinders and cones whose axes are 3 deg beside the truth.
+TEST(Refine, HoldsAnAxis) {
+  RefineRules rules;
+  rules.hold_axis = true;
+  for (const Scene& scene : randomScenes(3, 0.001)) {
+    const bool cylinder = kindOf(scene.truth) == Kind::cylinder;
+    if (!cylinder && kindOf(scene.truth) != Kind::cone) continue;
+    Shape start = scene.truth;
+    Vec3& axis = cylinder ? std::get<Cylinder>(start).axis : std::get<Cone>(start).axis;
+    axis = (axis + 0.05 * axis.unitOrthogonal()).normalized();
+    const Vec3 held = axis;
+    (cylinder ? std::get<Cylinder>(start).radius : std::get<Cone>(start).half_angle) += 0.02;
+    const auto free = refine(start, scene.set(), generous), fit = refine(start, scene.set(), generous, rules);
+    ASSERT_TRUE(free && fit);
+    const auto axisOf = [&](const Shape& s) { return cylinder ? std::get<Cylinder>(s).axis : std::get<Cone>(s).axis; };
+    EXPECT_LT(axisOf(*fit).cross(held).norm(), 1e-12);
+    EXPECT_GT(axisOf(*free).cross(held).norm(), 0.02) << "without, it goes to the truth";
+    EXPECT_LT(surfaceError(*fit, scene), 0.6 * surfaceError(start, scene)) << "all else moves";
+  }
+}
+
 }  // namespace
 }  // namespace primitect
