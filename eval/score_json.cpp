@@ -57,11 +57,12 @@ Json neesJson(Kind kind, const NormalisedErrors& errors) {
   return json;
 }
 
-constexpr std::array<const char*, 9> kEvidenceNames = {"inliers",         "gain", "against", "runs_on",  "runs_into",
-                                                       "border_residual", "turn", "lead",    "own_noise"};
+constexpr std::array<const char*, 10> kEvidenceNames = {"inliers",         "gain", "against", "runs_on",   "runs_into",
+                                                        "border_residual", "turn", "lead",    "own_noise", "stands"};
 
 std::array<float, kEvidenceNames.size()> evidenceNumbers(const Evidence& e) {
-  return {e.inliers, e.gain, e.against, e.runs_on, e.runs_into, e.border_residual, e.turn, e.lead, e.own_noise};
+  return {e.inliers,         e.gain, e.against, e.runs_on,   e.runs_into,
+          e.border_residual, e.turn, e.lead,    e.own_noise, e.stands};
 }
 
 /// Whether its errors tell something about its covariance: not when the truth is rougher than these, nor when it is

@@ -17,11 +17,11 @@ FULL, SOME, FEW = 1.0, 0.5, 0.25  # shares of the clouds
 PENALTY = 5.0
 # Of the weights. Otherwise what is common in clouds where all detections are right would speak for a shape, even if it
 # is a flaw.
-SIGNS = (0, 1, 1, -1, -1, 1, 1, 1)
+SIGNS = (0, 1, 1, -1, -1, 1, 1, 1, 1)
 MANY = 150.0  # samples of a plane or ball: losses of a larger one count less
 THRESHOLDS = (0.1, 0.3, 0.5, 0.7, 0.9)
 EVIDENCE = ("inliers", "gain", "against", "runs_on", "runs_into", "border_residual", "turn", "lead",
-            "own_noise")  # as compare's
+            "own_noise", "stands")  # as compare's
 
 # numbers: those of EVIDENCE, a row a detection; right: 0 or 1 each; kind: index in KINDS
 Cases = namedtuple("Cases", "numbers right kind")
@@ -92,13 +92,13 @@ def root(numbers):
 
 def features(cases):
     """What the weights are for, a row a detection: the same as featuresOf() of src/core/evidence.cpp."""
-    inliers, gain, against, _, runs_into, _, turn, lead, own_noise = cases.numbers.T
+    inliers, gain, against, _, runs_into, _, turn, lead, own_noise, stands = cases.numbers.T
     curved = cases.kind != KINDS.index("plane")
     # A flaw of a large ball or plane grows with it, and chance does not. For cylinders and cones that made no difference.
     grows = np.isin(cases.kind, [KINDS.index(kind) for kind in ("plane", "sphere")])
     losses = np.where(grows, against * np.sqrt(MANY / np.maximum(inliers, MANY)), against)
     return np.column_stack([np.ones(len(inliers)), np.log(np.maximum(inliers, 1.0)), gain, losses,
-                            root(runs_into), curved * root(turn), curved * root(lead), ~curved * own_noise])
+                            root(runs_into), curved * root(turn), curved * root(lead), ~curved * own_noise, stands])
 
 
 def fit(cases, penalty=PENALTY):

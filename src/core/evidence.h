@@ -17,7 +17,8 @@ namespace primitect {
 /// The surface at one sample goes on smoothly at the other: no step, no edge.
 bool continuous(const Samples& samples, std::uint32_t a, std::uint32_t b);
 
-/// Evidence for hypothesis `self` of a selection with these owners of the samples. All but `lead` and `own_noise`.
+/// Evidence for hypothesis `self` of a selection with these owners of the samples. All but `lead`,
+/// `own_noise` and `stands`.
 Evidence gatherEvidence(const Samples& samples, const SampleGraph& graph, const List<std::uint32_t>& owner,
                         std::uint32_t self, const Hypothesis& hypothesis);
 

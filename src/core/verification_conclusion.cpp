@@ -7,6 +7,7 @@
 #include "core/evidence.h"
 #include "core/facets.h"
 #include "core/plane_parts.h"
+#include "core/standing.h"
 #include "core/verification.h"
 
 namespace primitect {
@@ -106,6 +107,18 @@ void Verification::refit() {
   }
 }
 
+/// How far a curved segment stands on one of the planes.
+double Verification::standingOf(const Segment& segment) const {
+  double most = 0.0;
+  for (const Segment& plane : segments_) {
+    if (kindOf(plane.candidate.shape) != Kind::plane) continue;
+    const Shape& of_plane = pool_[plane.hypothesis].shape;
+    most = std::max(most, standsOn(std::get<Plane>(of_plane), plane.inliers, pool_[segment.hypothesis].shape,
+                                   segment.inliers, samples_));
+  }
+  return most;
+}
+
 void Verification::assess() {
   const HeldGains held = heldByChosen();
   for (Segment& segment : segments_) {
@@ -119,6 +132,7 @@ void Verification::assess() {
       const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
       segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
       segment.rival = rival.kind;
+      segment.evidence.stands = static_cast<float>(standingOf(segment));
     }
     segment.confidence = confidenceOf(kind, segment.evidence);
   }

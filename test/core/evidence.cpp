@@ -164,6 +164,19 @@ TEST(Confidence, RisesOfPlanesWhereTheNoiseIsTheCloudsOwn) {
   }
 }
 
+TEST(Confidence, RisesOfTubesAndConesThatStand) {
+  for (const Kind kind : kKinds) {
+    Evidence standing = usualEvidence(kind);
+    standing.stands = 1.0f;
+    const double before = confidenceOf(kind, usualEvidence(kind)), after = confidenceOf(kind, standing);
+    if (kind == Kind::cylinder || kind == Kind::cone) {
+      EXPECT_GT(after, before) << kindName(kind);
+    } else {
+      EXPECT_EQ(after, before) << kindName(kind);
+    }
+  }
+}
+
 // A wall seen by structured light, bent towards the border of the image: half of its samples are beside the plane.
 TEST(Confidence, IsHighOfAWallThatTheCameraBends) {
   Evidence wall;
@@ -238,8 +251,9 @@ TEST(Confidence, RisesWithTheTurnOfTheNormals) {
 
 TEST(Confidence, IsAProbabilityForAbsurdEvidence) {
   const float huge = std::numeric_limits<float>::max(), nan = std::numeric_limits<float>::quiet_NaN();
-  for (float Evidence::*number : {&Evidence::inliers, &Evidence::gain, &Evidence::against, &Evidence::runs_on,
-                                  &Evidence::runs_into, &Evidence::border_residual, &Evidence::turn, &Evidence::lead}) {
+  for (float Evidence::*number :
+       {&Evidence::inliers, &Evidence::gain, &Evidence::against, &Evidence::runs_on, &Evidence::runs_into,
+        &Evidence::border_residual, &Evidence::turn, &Evidence::lead, &Evidence::stands}) {
     for (const float value : {-huge, -1.0f, 0.0f, huge, std::numeric_limits<float>::infinity(), nan}) {
       for (const Kind kind : kKinds) {
         Evidence evidence = usualEvidence(kind);

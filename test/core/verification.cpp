@@ -379,6 +379,22 @@ TEST(Conclusion, TellsWhetherTheNoiseIsTheCloudsOwn) {
   }
 }
 
+TEST(Conclusion, TellsWhetherACanStands) {
+  const Plane floor = {Vec3(0.2, 0.1, 1), Vec3(0, -1, 0)};
+  for (const bool on_floor : {false, true}) {
+    Random random(102);
+    std::vector<SurfacePoint> points = patchOf(kCan, 300, -0.1, 0.1, random);
+    for (const SurfacePoint& point : patchOf(on_floor ? floor : kWall, 600, 0.3, random)) points.push_back(point);
+    Frame frame;
+    frame.round(noisy(points, random));
+    frame.conclude();
+    const Segment *can = frame.only(Kind::cylinder), *plane = frame.only(Kind::plane);
+    ASSERT_TRUE(can && plane) << on_floor;
+    EXPECT_EQ(can->evidence.stands, on_floor ? 1.0f : 0.0f);
+    EXPECT_EQ(plane->evidence.stands, 0.0f);
+  }
+}
+
 TEST(Conclusion, SettlesTheShapesWithMoreSamples) {
   Random random(100);
   Frame frame;
