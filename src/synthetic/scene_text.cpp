@@ -93,7 +93,8 @@ Eigen::Isometry3d raised(double height) { return Eigen::Isometry3d(Eigen::Transl
 
 Placed placed(const std::string& thing, const Told& told) {
   const auto hasSizes = [&](std::size_t count) {
-    if (told.sizes.size() != count) refuse(thing, "it has " + std::to_string(told.sizes.size()) + " sizes");
+    if (told.sizes.size() != count)
+      refuse(thing, "it has " + std::to_string(told.sizes.size()) + " instead of " + std::to_string(count) + " sizes");
     return true;
   };
   const auto size = [&told](std::size_t k) { return told.sizes[k]; };

@@ -102,7 +102,7 @@ std::string refusalOf(const std::string& text) {
 TEST(SceneText, SaysWhatItDoesNotUnderstand) {
   const std::pair<const char*, const char*> cases[] = {
       {"bowl 0.05", "'bowl' is no kind of thing"},
-      {"ball 0.05; can 0.03", "' can 0.03': it has 1 sizes; expected"},
+      {"ball 0.05; can 0.03", "' can 0.03': it has 1 instead of 2 sizes; expected"},
       {"ball 5cm", "'5cm' and what follows is not understood"},
       {"ball 0.05 at 0.1", "'at' and what follows"},
       {"ball 0.05 at 0 0 0 0", "'at' and what follows"},
