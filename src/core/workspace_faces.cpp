@@ -93,23 +93,28 @@ List<List<std::uint32_t>> Detector::Workspace::pixelsOfFaces(const PlaneInImage&
 }
 
 /// Faces that are patches of curved shapes get the labels of these, the largest other one keeps that of the plane, each
-/// other one gets one of its own. What is left is no part of any. False, and nothing is changed, where that would be
-/// much: nothing is to be lost for faces that are too narrow or too small.
+/// other one gets one of its own, but for those with less than `least` pixels: they are too small to be reported, and
+/// with the others the plane would span what lies between them. What is left is no part of any. False, and nothing is
+/// changed, where that would be much, or all are too small: nothing is to be lost for faces that are too narrow.
 bool Detector::Workspace::giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs) {
   const List<std::size_t>& faces = plane.faces.faces();
   if (faces.size() < 2 || plane.faces.left() > kMuch) return false;
   const auto before = static_cast<std::uint32_t>(plane.of + 1);
   const Plane shape = std::get<Plane>(result.items[plane.of].shape);
   List<std::optional<std::size_t>> curved;
+  bool any_large = false, any_small = false;
   for (const List<std::uint32_t>& pixels : pixelsOfFaces(plane, runs)) {
     curved.push_back(curvedUnder({shape, before}, pixels));
-    if (!curved.back() && faces[curved.size() - 1] < least) return false;
+    if (!curved.back()) (faces[curved.size() - 1] < least ? any_small : any_large) = true;
   }
+  if (any_small && !any_large) return false;
   kept[plane.of] = false;
   List<std::uint32_t> label_of;
   for (std::size_t k = 0; k < faces.size(); ++k) {
     if (curved[k]) {
       label_of.push_back(static_cast<std::uint32_t>(*curved[k] + 1));
+    } else if (faces[k] < least) {
+      label_of.push_back(0);
     } else if (!kept[plane.of]) {
       label_of.push_back(before);
       kept[plane.of] = true;
@@ -119,7 +124,7 @@ bool Detector::Workspace::giveToFaces(std::size_t least, const PlaneInImage& pla
     }
   }
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    if (curved[k]) continue;
+    if (curved[k] || label_of[k] == 0) continue;
     takeShare(static_cast<double>(faces[k]) / static_cast<double>(plane.faces.count()), result.items[label_of[k] - 1]);
   }
   relabel(runs, before, label_of, [&plane](std::uint32_t i) { return plane.faces.faceAt(i); });

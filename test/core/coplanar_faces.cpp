@@ -15,6 +15,7 @@ namespace primitect {
 namespace {
 
 constexpr double kHeight = 0.08;  // m, of the boxes
+constexpr double kAway = 0.9;     // m, the camera
 
 Eigen::Isometry3d at(double x, double y, double z) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -22,9 +23,9 @@ Eigen::Isometry3d at(double x, double y, double z) {
   return pose;
 }
 
-/// From above at 45 deg, 0.9 m away.
-Eigen::Isometry3d viewFrom(double side) {
-  const Vec3 eye = 0.9 * Vec3(0.7 * std::sin(side), -0.7 * std::cos(side), 0.714);
+/// From above at 45 deg, so far away (m).
+Eigen::Isometry3d viewFrom(double side, double distance) {
+  const Vec3 eye = distance * Vec3(0.7 * std::sin(side), -0.7 * std::cos(side), 0.714);
   return synthetic::lookAt(eye, Vec3::Zero());
 }
 
@@ -40,7 +41,7 @@ struct Table {
   /// What one frame of a camera with noise shows of it, in the table's frame: planes that lie as this one does.
   std::vector<Detection> planesIn(const Plane& plane, int seed, double side = 0.0, double waves = 0.0) const {
     constexpr double kTilt = 0.06, kNear = 0.004;  // rad, m
-    const Eigen::Isometry3d pose = viewFrom(side);
+    const Eigen::Isometry3d pose = viewFrom(side, away);
     Params params;
     params.seed = seed;
     Detector detector{params};
@@ -63,6 +64,7 @@ struct Table {
   }
 
   synthetic::World world;
+  double away = kAway;  ///< m, the camera
 };
 
 const Plane kTops = {Vec3(0, 0, kHeight), Vec3::UnitZ()};
@@ -84,6 +86,19 @@ TEST(CoplanarFaces, OfTwoBoxesOfOneHeightAreOneDetectionEach) {
         }
       }
     }
+  }
+}
+
+TEST(CoplanarFaces, LeaveOutWhatIsTooSmallForAPlaneOfItsOwn) {
+  for (int seed = 1; seed <= 5; ++seed) {
+    Table table;
+    table.away = 1.4;  // of the small one some 350 pixels are seen
+    table.addBox(-0.1, 0.0, 0.16);
+    table.addBox(0.2, 0.0, 0.036);
+    const std::vector<Detection> tops = table.planesIn(kTops, seed);
+    ASSERT_EQ(tops.size(), 1u) << "seed " << seed;
+    EXPECT_NEAR(tops[0].extent.origin.x(), -0.1, 0.006);
+    EXPECT_NEAR(tops[0].extent.size.x(), 0.16, 0.015) << "not .34, to the end of the other one";
   }
 }
 
@@ -302,8 +317,9 @@ double pointsOfTube(const Table& table) {
   double points = 0.0;
   for (int seed = 1; seed <= 10; ++seed) {
     Detector detector{Params()};
-    for (const Detection& item : detector.detect(test::renderedCloud(table.world, {}, seed, viewFrom(0.0))).items) {
-      const bool lies = std::abs((viewFrom(0.0).linear() * item.extent.rotation.col(2)).z()) < 0.1;
+    for (const Detection& item :
+         detector.detect(test::renderedCloud(table.world, {}, seed, viewFrom(0.0, kAway))).items) {
+      const bool lies = std::abs((viewFrom(0.0, kAway).linear() * item.extent.rotation.col(2)).z()) < 0.1;
       points += kindOf(item.shape) == Kind::cylinder && lies ? item.inlier_count : 0.0;
     }
   }
