@@ -26,10 +26,10 @@ def made_up(weights, count, seed=1):
 def evidence(right, random):
     """Numbers that tell right from wrong, but not surely."""
     return [40.0 + 60.0 * right + 40.0 * random.random(), 0.7, 0.5 * random.random() - 0.2 * right + 0.2, 0.1, 0.1, 0.8,
-            0.3, 0.1 + 0.1 * random.random(), 0.0]
+            0.3, 0.1 + 0.1 * random.random(), 0.0, 0.0]
 
 
-def found(kind, verdict, numbers=(50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2, 0.0), **more):
+def found(kind, verdict, numbers=(50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2, 0.0, 0.0), **more):
     return dict({"kind": kind, "verdict": verdict, "confidence": 0.5, "evidence": list(numbers)}, **more)
 
 
@@ -113,7 +113,7 @@ def test_weights_of_every_kind_become_rows_of_the_core():
 
 def test_what_is_against_many_samples_counts_less_of_planes_and_balls():
     def against(kind, inliers):
-        numbers = (inliers, 0.7, 0.2) + (0.1,) * 6
+        numbers = (inliers, 0.7, 0.2) + (0.1,) * 7
         return calibration.features(calibration.cases_of([line(detections=[found(kind, "right", numbers)])]))[0, 3]
     for kind in calibration.KINDS:
         assert against(kind, 40.0) == against(kind, 150.0) == 0.2
@@ -121,20 +121,39 @@ def test_what_is_against_many_samples_counts_less_of_planes_and_balls():
         assert abs(share - (0.5 if kind in ("plane", "sphere") else 1.0)) < 1e-12
 
 
-def test_noise_of_its_own_speaks_for_planes():
-    # As sure, by all else, as what is found with the noise of depth cameras, and more often right.
+def expect_that_it_speaks(name, kinds):
+    """A number of the evidence that is 0 or 1: where it is 1 more is right that is as sure by all else."""
+    column = calibration.EVIDENCE.index(name)
     random = np.random.default_rng(4)
-    own = np.repeat([0.0, 1.0], 2000)
-    right = random.random(4000) < np.where(own > 0.0, 0.9, 0.6)
-    detections = [found(kind, "right" if is_right else "wrong", evidence(is_right, random)[:-1] + [noise])
-                  for kind in calibration.KINDS for is_right, noise in zip(right[::4], own[::4])]
+    told = np.repeat([0.0, 1.0], 2000)
+    right = random.random(4000) < np.where(told > 0.0, 0.9, 0.6)
+    detections = []
+    for kind in calibration.KINDS:
+        for is_right, number in zip(right[::4], told[::4]):
+            numbers = evidence(is_right, random)
+            numbers[column] = number if kind in kinds else 0.0
+            detections.append(found(kind, "right" if is_right else "wrong", numbers))
     cases = calibration.cases_of([line(detections=detections)])
     weights = calibration.fit(cases)
-    assert weights["plane"][-1] > 0.5 and all(weights[kind][-1] == 0.0 for kind in calibration.KINDS[1:])
-    known = cases._replace(numbers=cases.numbers * ([1.0] * (len(calibration.EVIDENCE) - 1) + [0.0]))
-    speaks = (cases.numbers[:, -1] > 0.0) & (cases.kind == calibration.KINDS.index("plane"))
-    with_it, without = calibration.probabilities(weights, cases), calibration.probabilities(weights, known)
-    assert (with_it > without)[speaks].all() and np.allclose(with_it[~speaks], without[~speaks])
+    numbers = cases.numbers.copy()
+    numbers[:, column] = 0.0
+    speaks = cases.numbers[:, column] > 0.0
+    with_it = calibration.probabilities(weights, cases)
+    without = calibration.probabilities(weights, cases._replace(numbers=numbers))
+    assert (with_it > without)[speaks].all()
+    assert np.allclose(with_it[~speaks], without[~speaks])
+
+
+def test_noise_of_its_own_speaks_for_planes():
+    expect_that_it_speaks("own_noise", ("plane",))
+    random = np.random.default_rng(5)
+    numbers = evidence(1.0, random)
+    numbers[calibration.EVIDENCE.index("own_noise")] = 1.0
+    assert calibration.features(calibration.cases_of([line(detections=[found("cone", "right", numbers)])]))[0, 7] == 0.0
+
+
+def test_that_they_stand_speaks_for_tubes_and_cones():
+    expect_that_it_speaks("stands", ("cylinder", "cone"))
 
 
 def test_a_kind_without_wrong_ones_cannot_be_fitted():

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/axis_extent.h"
 #include "core/flat_gradients.h"
 #include "core/symmetric_eigen.h"
 
@@ -125,15 +124,14 @@ Hessian covarianceOf(const Sums& sums, int parameters) {
   return factor * directions.fit * scores * directions.fit + directions.unknown;
 }
 
-/// Once both turns of the axis were measured besides, with this deviation (rad): a Kalman update. Of other kinds as it
-/// is.
-Hessian withAxis(const Hessian& covariance, const Shape& shape, double deviation) {
-  if (!hasAxis(kindOf(shape))) return covariance;
-  const int first = kindOf(shape) == Kind::cylinder ? 2 : 3;  // residuals.h
-  const Eigen::Matrix<double, kMostParameters, 2> with_turns = covariance.middleCols<2>(first);
-  const Eigen::Matrix2d both =
-      covariance.block<2, 2>(first, first) + deviation * deviation * Eigen::Matrix2d::Identity();
-  return covariance - with_turns * both.inverse() * with_turns.transpose();
+/// Of a cylinder or a cone whose axis was held in the fit, and is off by this (rad) on its own account: all else goes
+/// with the axis as the points say, and is as uncertain as they leave it for a given axis.
+Hessian withHeldAxis(const Hessian& covariance, const Shape& shape, double deviation) {
+  const int first = kindOf(shape) == Kind::cylinder ? 2 : 3;  // turns, see residuals.h
+  const Eigen::Matrix2d turns = covariance.block<2, 2>(first, first);
+  if (!(turns.determinant() > 0.0)) return covariance;
+  const Eigen::Matrix<double, kMostParameters, 2> by_turn = covariance.middleCols<2>(first) * turns.inverse();
+  return covariance + by_turn * (deviation * deviation * Eigen::Matrix2d::Identity() - turns) * by_turn.transpose();
 }
 
 /// How the origin of the pose shifts (rows 0 to 2) and turns (3 to 5) with the local parameters, what is not observed,
@@ -232,7 +230,7 @@ Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const P
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
                                const PointNoise& sigma, double shared_noise, double axis_deviation) {
   const Hessian by_points = measureCovariance(shape, inliers, sigma, shared_noise);
-  const Hessian local = std::isfinite(axis_deviation) ? withAxis(by_points, shape, axis_deviation) : by_points;
+  const Hessian local = std::isfinite(axis_deviation) ? withHeldAxis(by_points, shape, axis_deviation) : by_points;
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   Hessian observed = published.jacobian * local * published.jacobian.transpose();
   if (const Cone* cone = std::get_if<Cone>(&shape)) {

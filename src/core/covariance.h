@@ -38,8 +38,8 @@ Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const P
 /// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
 /// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a
 /// cone is taken as fixed to it, at its height above the apex: along the axis it is as uncertain as the apex. The
-/// radius of a cone is that where its wide end was seen. axis_deviation: rad, of the axis as it is known besides (of a
-/// cylinder or a cone); infinite where it is not.
+/// radius of a cone is that where its wide end was seen. axis_deviation: rad, of the axis of a cylinder or a cone
+/// where the fit held it; infinite where it did not.
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
                                const PointNoise& sigma, double shared_noise = 1.0,
                                double axis_deviation = std::numeric_limits<double>::infinity());

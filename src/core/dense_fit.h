@@ -3,7 +3,9 @@
 // The final fit: on the points of the cloud themselves, of which the samples are a small part.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -48,7 +50,10 @@ struct PointsChoice {
   /// It is a cylinder, and a cone of 4 deg or more within the limits explains them nearly as well: which of the two
   /// it is nobody can tell.
   bool either = false;
-  bool upright = false;  ///< its axis is the normal of a face (upright.h), and stays
+  /// Rad; finite: its axis is the normal of a face (upright.h), as well as that is known, and stays.
+  double axis_deviation = std::numeric_limits<double>::infinity();
+
+  bool upright() const { return std::isfinite(axis_deviation); }
 };
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

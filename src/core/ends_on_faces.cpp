@@ -67,7 +67,7 @@ void endOn(const Detection& plane, double reach, const Shape& shape, Extent& ext
 
 bool mayStandOn(const Detection& plane, double reach, const Extent& extent) {
   constexpr double kLeastCosine = 0.94;  // 20 deg
-  constexpr double kMostOfLength = 0.5;
+  constexpr double kMostOfLength = 0.25;
   const Vec3 axis = extent.rotation.col(2);
   const std::optional<double> along = alongToFace(plane, extent, kLeastCosine);
   if (!along || !holds(plane, extent.origin + *along * axis, reach)) return false;

@@ -22,7 +22,8 @@ constexpr double kReachOfFaces = 5.0;
 void endOn(const Detection& plane, double reach, const Shape& shape, Extent& extent);
 
 /// Whether what has this extent, as its samples tell it, may stand on the plane: the axis comes to the plane's observed
-/// part within 20 deg of the normal, and one of its ends is no farther from it than half of its length.
+/// part within 20 deg of the normal, and one of its ends is no farther from it, before or behind, than a quarter of its
+/// length and `reach` (m).
 bool mayStandOn(const Detection& plane, double reach, const Extent& extent);
 
 /// Names the planes among the items on which cylinders and cones end, those that endOn() would move their ends to, of

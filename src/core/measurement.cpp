@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -100,8 +99,7 @@ PointsChoice Measurement::start(const Detection& found) {
   if (!hasAxis(kindOf(shape))) return {shape, false};
   gatherPart(found);
   const PointsChoice choice = refineOnPoints(shape, fit_points_, limits_);
-  const std::optional<Shape> upright = uprightOnFace(choice.shape, Leaning::clear, found);
-  return upright ? PointsChoice{*upright, false, false, true} : choice;
+  return upright(choice, Leaning::clear, found).value_or(choice);
 }
 
 /// Points to fit to: those of the part that samples saw.
@@ -109,18 +107,30 @@ void Measurement::gatherPart(const Detection& found) {
   fit_points_.gather(within(ObservedPart(found.shape, found.extent), points_, tolerated_), tolerated_);
 }
 
-/// Of the part that samples saw.
-std::optional<Shape> Measurement::uprightOnFace(const Shape& fit, Leaning leaning, const Detection& found) const {
-  constexpr double kKnown = kUprightDeviation;  // of the face's normal
-  if (!noise_.ofDepthCamera() || !hasAxis(kindOf(fit))) return std::nullopt;
+/// The largest face that it may stand on; null where none is known well enough.
+const Detection* Measurement::faceOf(const Detection& found) const {
+  if (!noise_.ofDepthCamera()) return nullptr;
   const double reach = kReachOfFaces * sigma_(found.extent.origin);
   const Detection* largest = nullptr;
   for (const Detection* face : faces_) {
-    if (face->axis_stddev > kKnown || !mayStandOn(*face, reach, found.extent)) continue;
+    if (!(face->axis_stddev <= kUprightDeviation) || !mayStandOn(*face, reach, found.extent)) continue;
     if (!largest || face->inlier_count > largest->inlier_count) largest = face;
   }
-  if (!largest) return std::nullopt;
-  return uprightShape(fit, std::get<Plane>(largest->shape).normal, leaning, fit_points_, limits_);
+  return largest;
+}
+
+/// The choice for the points of the part, made to stand upright where it may. Whether it is a cylinder or a cone is
+/// clear only where it becomes a cone.
+std::optional<PointsChoice> Measurement::upright(PointsChoice choice, Leaning leaning, const Detection& found) const {
+  const Detection* face = faceOf(found);
+  if (!face) return std::nullopt;
+  const Vec3& normal = std::get<Plane>(face->shape).normal;
+  const std::optional<Shape> shape = uprightShape(choice.shape, normal, leaning, fit_points_, limits_);
+  if (!shape) return std::nullopt;
+  choice.shape = *shape;
+  choice.axis_deviation = std::hypot(kUprightDeviation, face->axis_stddev);
+  if (kindOf(*shape) == Kind::cone) choice.or_cone = choice.either = false;
+  return choice;
 }
 
 /// Beyond what samples saw of an axis points of other surfaces are among them, which no image tells apart: of the
@@ -134,11 +144,12 @@ void Measurement::gatherClear(const List<std::uint32_t>& clear, const Detection&
   clear_ = withoutFarEnds(found.extent.rotation.col(2), std::move(clear_));
 }
 
-Shape Measurement::fittedToClear(const Shape& start, bool upright) {
+Shape Measurement::fittedToClear(const PointsChoice& from) {
+  const Shape& start = from.shape;
   fit_points_.gather(clear_, noise_);
   const bool along_rays = isFittedAlongRays(start);
   const std::optional<Shape> refined =
-      refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across, upright);
+      refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across, from.upright());
   const Shape fit = refined && limits_.hold(*refined) ? *refined : start;
   const Shape last = along_rays ? fit : unbiased(fit);
   // A few clear points may not hold a shape where all of its points are. But some of these may be of other surfaces,
@@ -149,8 +160,7 @@ Shape Measurement::fittedToClear(const Shape& start, bool upright) {
 }
 
 /// Of a fit to the clear points.
-Uncertainty Measurement::uncertaintyOf(const Shape& fit, bool upright, const Extent& extent) const {
-  const double axis_deviation = upright ? kUprightDeviation : std::numeric_limits<double>::infinity();
+Uncertainty Measurement::uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const {
   const auto from = [&](const SeenPoints& points) {
     const double shared_noise = measureSharedNoise(fit, points, sigma_);
     return measureUncertainty(fit, extent, points, sigma_, shared_noise, axis_deviation);
@@ -164,19 +174,32 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
                                      const Detection& found, const PointsChoice& from) {
   constexpr int kTimes = 3;
   gatherClear(clear, found);
-  Fit fit = {fittedToClear(from.shape, from.upright), 1.0, from.or_cone, from.either, from.upright};
+  Fit fit = {fittedToClear(from), 1.0, from};
   for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
-    if (time == 0) fit.most_trust = trustInSizeOf(fit.shape, fit.upright);
+    if (time == 0) fit.most_trust = trustInSizeOf(fit);
     clear_.gather(cloud_, rest);
-    fit.shape = fittedToClear(from.shape, from.upright);
+    fit.shape = fittedToClear(from);
   }
   return fit;
 }
 
-double Measurement::trustInSizeOf(const Shape& fit, bool upright) const {
-  return trustInSize(fit, uncertaintyOf(fit, upright, measureExtent(fit, points_, {})));
+double Measurement::trustInSizeOf(const Fit& fit) const {
+  const Extent extent = measureExtent(fit.shape, points_, {});
+  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis_deviation, extent));
+}
+
+/// What is tried in place of a sharp cone that its points do not determine: upright, else the cylinder.
+std::optional<PointsChoice> Measurement::insteadOf(const Fit& doubtful, const Detection& found) {
+  const Vec3 middle = fit_points_.middle();
+  if (!doubtful.from.upright() && faceOf(found)) {
+    gatherPart(found);
+    if (const auto choice = upright({doubtful.shape}, Leaning::any, found)) return choice;
+  }
+  const std::optional<Cylinder> cylinder = asCylinder(found.shape, middle);
+  if (!cylinder || !limits_.hold(*cylinder)) return std::nullopt;
+  return PointsChoice{*cylinder, true};
 }
 
 /// A sharp cone that its points do not determine is a cylinder: of cups of 5 to 7 deg, 24 mm thick and 1.3 m away, one
@@ -187,13 +210,10 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   const Fit fit = fitted(clear, on_surface, found, start(found));
   const Cone* cone = std::get_if<Cone>(&fit.shape);
   if (!cone || cone->half_angle > kSharpCone) return fit;
-  if (std::min(fit.most_trust, trustInSizeOf(fit.shape, fit.upright)) > kDoubtful) return fit;
-  gatherPart(found);
-  if (const auto upright = uprightOnFace(fit.shape, Leaning::any, found)) {
-    return fitted(clear, on_surface, found, {*upright, false, false, true});
-  }
-  const std::optional<Cylinder> cylinder = asCylinder(found.shape, fit_points_.middle());
-  return cylinder && limits_.hold(*cylinder) ? fitted(clear, on_surface, found, {*cylinder, true, false}) : fit;
+  if (std::min(fit.most_trust, trustInSizeOf(fit)) > kDoubtful) return fit;
+  if (const auto instead = insteadOf(fit, found)) return fitted(clear, on_surface, found, *instead);
+  fit_points_.gather(clear_, noise_);  // uncertainty is measured on what it was fitted to
+  return fit;
 }
 
 /// Without it cylinders and cones on tables are 2.6 mm too long in the median, with three times the noise 9.1.
@@ -223,11 +243,11 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.shape = canonical(fit.shape);
   // What it was taken for is then its rival.
   if (detection.rival == kindOf(detection.shape)) detection.rival = kind;
-  if (fit.upright && kindOf(detection.shape) != kind) detection.rival = kind;
-  if (fit.or_cone) detection.rival = Kind::cone;
+  if (fit.from.upright() && kindOf(detection.shape) != kind) detection.rival = kind;
+  if (fit.from.or_cone) detection.rival = Kind::cone;
   // Of 52 on simulated halls, heaps and tables a third were cylinders, of recorded ones all.
   constexpr float kTrustInEither = 0.7f;
-  if (fit.either && kindOf(detection.shape) == Kind::cylinder) detection.confidence *= kTrustInEither;
+  if (fit.from.either && kindOf(detection.shape) == Kind::cylinder) detection.confidence *= kTrustInEither;
   double share = leaveOutThinEnds(detection.shape);
   detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
   detection.rms_error = rmsDistance(detection.shape, points_);
@@ -249,7 +269,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
-  const Uncertainty uncertainty = uncertaintyOf(detection.shape, fit.upright, detection.extent);
+  const Uncertainty uncertainty = uncertaintyOf(detection.shape, fit.from.axis_deviation, detection.extent);
   detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, noise_.ofDepthCamera()));
   if (noise_.ofDepthCamera()) {

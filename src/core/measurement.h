@@ -49,9 +49,7 @@ class Measurement {
   struct Fit {
     Shape shape;
     double most_trust;  ///< in its size, see trustInSize()
-    bool or_cone;       ///< see PointsChoice
-    bool either;        ///< see PointsChoice
-    bool upright;       ///< see PointsChoice
+    PointsChoice from;
   };
 
   bool isFittedAlongRays(const Shape& shape) const;
@@ -59,15 +57,17 @@ class Measurement {
   PointsChoice start(const Detection& found);
   void gatherClear(const List<std::uint32_t>& clear, const Detection& found);
   void gatherPart(const Detection& found);
-  std::optional<Shape> uprightOnFace(const Shape& fit, Leaning leaning, const Detection& found) const;
-  Shape fittedToClear(const Shape& start, bool upright);
-  Uncertainty uncertaintyOf(const Shape& fit, bool upright, const Extent& extent) const;
+  const Detection* faceOf(const Detection& found) const;
+  std::optional<PointsChoice> upright(PointsChoice choice, Leaning leaning, const Detection& found) const;
+  std::optional<PointsChoice> insteadOf(const Fit& doubtful, const Detection& found);
+  Shape fittedToClear(const PointsChoice& from);
+  Uncertainty uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);
   void endAtFacesOrTip(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found,
              const PointsChoice& from);
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found);
-  double trustInSizeOf(const Shape& fit, bool upright) const;
+  double trustInSizeOf(const Fit& fit) const;
 
   const Cloud& cloud_;
   ImageRays rays_;

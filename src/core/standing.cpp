@@ -16,37 +16,41 @@ struct Axis {
   Vec3 point, direction;
 };
 
-/// Whether it meets the plane near enough to one end of what the samples show of it. All along the axis (m).
-bool endsNear(const Axis& axis, double foot, const List<std::uint32_t>& of_shape, const Samples& samples) {
-  constexpr double kOfLength = 0.3;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+/// What samples show along an axis (m).
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double length() const { return high - low; }
+};
+
+Range rangeAlong(const Axis& axis, const List<std::uint32_t>& of_shape, const Samples& samples) {
+  Range range;
   for (const std::uint32_t i : of_shape) {
     const double along = (samples.point(i) - axis.point).dot(axis.direction);
-    low = std::min(low, along), high = std::max(high, along);
+    range.low = std::min(range.low, along), range.high = std::max(range.high, along);
   }
-  return std::min(std::abs(foot - low), std::abs(foot - high)) < kOfLength * (high - low);
+  return range;
 }
 
-/// What stands there hides the plane behind it, and samples lie apart.
-bool isSeenAround(const Vec3& foot, double radius, const List<std::uint32_t>& of_plane, const Samples& samples) {
-  constexpr double kMargin = 0.08;  // m
-  const double reach = radius + kMargin;
-  return std::any_of(of_plane.begin(), of_plane.end(),
-                     [&](std::uint32_t i) { return (samples.point(i) - foot).squaredNorm() < reach * reach; });
+bool anyWithin(double reach, const Vec3& of, const List<std::uint32_t>& set, const Samples& samples) {
+  return std::any_of(set.begin(), set.end(),
+                     [&](std::uint32_t i) { return (samples.point(i) - of).squaredNorm() < reach * reach; });
 }
 
+/// radiusAt(along): of the shape, where its axis has gone so far.
+template <class RadiusAt>
 double standsWithAxis(const Plane& plane, const List<std::uint32_t>& of_plane, const Axis& axis,
-                      const List<std::uint32_t>& of_shape, const Samples& samples) {
+                      const RadiusAt& radiusAt, const List<std::uint32_t>& of_shape, const Samples& samples) {
   constexpr double kUpright = 3.0 * M_PI / 180.0, kLeaning = 12.0 * M_PI / 180.0;
-  const double cosine = plane.normal.dot(axis.direction);
+  constexpr double kOfLength = 0.3;
   const double upright = ramp(kLeaning, kUpright, plane.normal.cross(axis.direction).norm());
-  if (upright == 0.0 || of_shape.empty()) return 0.0;
-  const double along = (plane.point - axis.point).dot(plane.normal) / cosine;
-  const Vec3 foot = axis.point + along * axis.direction;
-  if (!endsNear(axis, along, of_shape, samples)) return 0.0;
-  const Vec3 one = samples.point(of_shape[of_shape.size() / 2]);
-  const double radius = (one - axis.point).cross(axis.direction).norm();
-  return isSeenAround(foot, radius, of_plane, samples) ? upright : 0.0;
+  if (upright == 0.0) return 0.0;
+  const double foot = (plane.point - axis.point).dot(plane.normal) / plane.normal.dot(axis.direction);
+  const Range range = rangeAlong(axis, of_shape, samples);
+  const double gap = std::min(std::abs(foot - range.low), std::abs(foot - range.high));
+  if (!(gap < kOfLength * range.length())) return 0.0;
+  // What stands there hides the plane behind it, and samples lie apart.
+  const double reach = 2.0 * radiusAt(foot) + range.length();
+  return anyWithin(reach, axis.point + foot * axis.direction, of_plane, samples) ? upright : 0.0;
 }
 
 }  // namespace
@@ -54,10 +58,13 @@ double standsWithAxis(const Plane& plane, const List<std::uint32_t>& of_plane, c
 double standsOn(const Plane& plane, const List<std::uint32_t>& of_plane, const Shape& shape,
                 const List<std::uint32_t>& of_shape, const Samples& samples) {
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    return standsWithAxis(plane, of_plane, {cylinder->point, cylinder->axis}, of_shape, samples);
+    const auto radius = [cylinder](double) { return cylinder->radius; };
+    return standsWithAxis(plane, of_plane, {cylinder->point, cylinder->axis}, radius, of_shape, samples);
   }
   const Cone* cone = std::get_if<Cone>(&shape);
-  return cone ? standsWithAxis(plane, of_plane, {cone->apex, cone->axis}, of_shape, samples) : 0.0;
+  if (!cone) return 0.0;
+  const auto radius = [cone](double along) { return std::abs(along) * std::tan(cone->half_angle); };
+  return standsWithAxis(plane, of_plane, {cone->apex, cone->axis}, radius, of_shape, samples);
 }
 
 }  // namespace primitect

@@ -18,9 +18,10 @@ constexpr double kUprightDeviation = 0.0175;
 /// Whether what hardly leans is asked about, too.
 enum class Leaning { any, clear };
 
-/// The cylinder or cone about the normal of the face that a leaning one stands on, where it explains the points nearly
-/// as well: half of a cup of 7 deg, seen from above, is within the noise of a cylinder that leans by 8 deg, but cups
-/// stand and cylinders do not lean. Nothing for what stands upright, within the noise, as it is.
+/// The cylinder or cone about the normal of the face that a leaning one stands on, or has for its top, where it
+/// explains the points nearly as well: half of a cup of 7 deg, seen from above, is within the noise of a cylinder that
+/// leans by 8 deg, and cups are more common than cylinders that lean. Nothing where it is clearly worse, and with
+/// Leaning::clear for what leans by no more than the noise makes it.
 std::optional<Shape> uprightShape(const Shape& found, const Vec3& face_normal, Leaning leaning, const FitPoints& points,
                                   const Limits& limits);
 

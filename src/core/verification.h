@@ -117,6 +117,7 @@ class Verification {
   bool separate(const Segment& segment, const HeldGains& held);
   bool isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const;
   double standingOf(const Segment& segment) const;
+  void assess(Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();
   HeldGains heldByChosen() const;

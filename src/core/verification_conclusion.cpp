@@ -107,11 +107,11 @@ void Verification::refit() {
   }
 }
 
-/// How far a curved segment stands on one of the planes.
+/// How far a curved segment stands on one of the planes, whose confidence is known.
 double Verification::standingOf(const Segment& segment) const {
   double most = 0.0;
   for (const Segment& plane : segments_) {
-    if (kindOf(plane.candidate.shape) != Kind::plane) continue;
+    if (kindOf(plane.candidate.shape) != Kind::plane || isUnlikely(plane)) continue;
     const Shape& of_plane = pool_[plane.hypothesis].shape;
     most = std::max(most, standsOn(std::get<Plane>(of_plane), plane.inliers, pool_[segment.hypothesis].shape,
                                    segment.inliers, samples_));
@@ -119,22 +119,29 @@ double Verification::standingOf(const Segment& segment) const {
   return most;
 }
 
+void Verification::assess(Segment& segment, const HeldGains& held) {
+  const Hypothesis& hypothesis = pool_[segment.hypothesis];
+  const Kind kind = kindOf(hypothesis.shape);
+  segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
+  const auto later = static_cast<double>(segment.inliers.size() - inliersOfFirstDraw(segment));
+  segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
+  segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
+  if (kind != Kind::plane) {
+    const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
+    segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
+    segment.rival = rival.kind;
+    segment.evidence.stands = static_cast<float>(standingOf(segment));
+  }
+  segment.confidence = confidenceOf(kind, segment.evidence);
+}
+
+/// Planes first: others may stand on them.
 void Verification::assess() {
   const HeldGains held = heldByChosen();
-  for (Segment& segment : segments_) {
-    const Hypothesis& hypothesis = pool_[segment.hypothesis];
-    const Kind kind = kindOf(hypothesis.shape);
-    segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
-    const auto later = static_cast<double>(segment.inliers.size() - inliersOfFirstDraw(segment));
-    segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
-    segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
-    if (kind != Kind::plane) {
-      const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
-      segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
-      segment.rival = rival.kind;
-      segment.evidence.stands = static_cast<float>(standingOf(segment));
+  for (const bool planes : {true, false}) {
+    for (Segment& segment : segments_) {
+      if ((kindOf(segment.candidate.shape) == Kind::plane) == planes) assess(segment, held);
     }
-    segment.confidence = confidenceOf(kind, segment.evidence);
   }
 }
 

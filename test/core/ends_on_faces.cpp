@@ -216,15 +216,24 @@ TEST(EndFaces, AreNoneOfACanBesideTheTableOrAboveIt) {
   }
 }
 
-TEST(MayStandOn, HoldsWhereTheNearerEndIsNoFartherThanHalfOfTheLength) {
+TEST(MayStandOn, HoldsWhereAnEndIsNoFartherThanAQuarterOfTheLength) {
   Can can;
   EXPECT_TRUE(mayStandOn(table(), kReach, can.extent()));
-  can.low = 0.06;  // of a length of 0.14: hidden below, or samples end before
-  EXPECT_TRUE(mayStandOn(table(), kReach, can.extent()));
-  can.low = 0.09;
+  for (const double high : {0.2, -0.2}) {  // it stands on the table, or hangs below
+    for (const double way : {1.0, -1.0}) {
+      can.high = high;
+      can.low = way * (high > 0.0 ? 0.048 : -0.048) * (way > 0.0 ? 0.8 : 1.2);
+      EXPECT_TRUE(mayStandOn(table(), kReach, can.extent())) << high << " " << way;
+      can.low *= 1.5;
+      EXPECT_FALSE(mayStandOn(table(), kReach, can.extent())) << high << " " << way;
+    }
+  }
+}
+
+TEST(MayStandOn, IsNotWhereItGoesThrough) {
+  Can can;
+  can.low = -0.1, can.high = 0.1;
   EXPECT_FALSE(mayStandOn(table(), kReach, can.extent()));
-  can.low = -0.05, can.high = 0.15;
-  EXPECT_TRUE(mayStandOn(table(), kReach, can.extent()));
 }
 
 TEST(MayStandOn, AsksWhereTheAxisMeetsThePlaneAndHow) {

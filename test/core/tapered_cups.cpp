@@ -21,7 +21,9 @@ using test::kDegree;
 struct Setting {
   Params params;
   synthetic::FrameParams frame;
-  double down = 35.0 * kDegree;  ///< how the camera looks: level, it sees neither the table nor the tops
+  /// How the camera looks. Level it sees neither the table nor the tops: nothing tells what stands upright.
+  double down = 35.0 * kDegree;
+  double lean = 0.0;  ///< rad, of all of them, towards the camera
 };
 
 Eigen::Isometry3d tableAt(double distance, const Setting& setting = {}) {
@@ -39,8 +41,9 @@ std::vector<Detection> cupsOf(double half_angle_deg, std::uint64_t seed, double 
   world.add("table", synthetic::Sheet{1.0, 0.6}, table);
   for (int k = 0; k < 3; ++k) {
     const bool on_rim = (seed + static_cast<std::uint64_t>(k)) % 2 == 0;
-    const Eigen::Isometry3d place = table * Eigen::Translation3d(0.2 * (k - 1), 0.05 * k, on_rim ? end : -begin) *
-                                    Eigen::AngleAxisd(on_rim ? M_PI : 0.0, Vec3::UnitX());
+    const Eigen::Isometry3d place = table * Eigen::Translation3d(0.2 * (k - 1), 0.05 * k, 0.5 * height) *
+                                    Eigen::AngleAxisd((on_rim ? M_PI : 0.0) + setting.lean, Vec3::UnitX()) *
+                                    Eigen::Translation3d(0.0, 0.0, -middle);
     world.add("cup" + std::to_string(k), synthetic::Frustum{half_angle, begin, end}, place);
   }
   std::vector<Detection> cups;
@@ -164,6 +167,23 @@ TEST(TaperedCups, AreConesThatStandUprightWithSharedNoise) {
   EXPECT_GE(cones, 22) << "of 24; 8 where cylinders that lean by as much are not asked whether they stand on something";
   EXPECT_GE(near, 18) << "half angles";
   EXPECT_GE(cans, 23) << "of 24";
+}
+
+/// What leans must not be made upright where its points tell.
+TEST(TaperedCups, AreNotWhereCansLean) {
+  for (const double lean : {-8.0, -6.0, 6.0, 8.0}) {
+    Setting setting;
+    setting.lean = lean * kDegree;
+    const Vec3 axis = Eigen::AngleAxisd(setting.lean, tableAt(0.8).linear().col(0)) * tableAt(0.8).linear().col(2);
+    int leaning = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      for (const Detection& can : cupsOf(0.05, seed, 1.0, 0.8, setting)) {
+        const Cylinder* cylinder = std::get_if<Cylinder>(&can.shape);
+        leaning += cylinder && std::abs(cylinder->axis.dot(axis)) > std::cos(2.0 * kDegree) ? 1 : 0;
+      }
+    }
+    EXPECT_GE(leaning, 13) << "of 15, by " << lean << " deg";
+  }
 }
 
 TEST(TaperedCups, AreNotWhereCansStandStraight) { expectCylinders(0.05, std::nullopt); }

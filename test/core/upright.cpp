@@ -126,6 +126,10 @@ TEST(UprightShape, KeepsToTheLimits) {
   EXPECT_FALSE(uprightShape(found, kUp, Leaning::clear, points, {params, 0.5}));
 }
 
+TEST(UprightShape, IsNoneWithoutPoints) {
+  EXPECT_FALSE(uprightShape(Cylinder{kMiddle, kUp, kRadius}, kUp, Leaning::any, FitPoints(), kLimits));
+}
+
 TEST(UprightShape, IsNoneOfPlanesAndBalls) {
   const FitPoints points = pointsOfCan(0.0, 7);
   EXPECT_FALSE(uprightShape(Plane{kMiddle, Vec3::UnitZ()}, kUp, Leaning::any, points, kLimits));
