@@ -55,7 +55,7 @@ class BadParameters(unittest.TestCase):
         self.refused("synthetic_camera", {"rate": 0}, ["rate", "0.1 to 200"])
         self.refused("synthetic_camera", {"depth_encoding": "8UC1"}, ["depth_encoding", "8UC1", "16UC1"])
         self.refused("synthetic_camera", {"sensor": "lidar"}, ["sensor", "lidar", "time_of_flight"])
-        self.refused("synthetic_camera", {"objects": "can 0.03"}, ["can 0.03", "1 sizes", "can R HEIGHT"])
+        self.refused("synthetic_camera", {"objects": "can 0.03"}, ["can 0.03", "1 instead of 2 sizes", "can R HEIGHT"])
         self.refused("synthetic_camera", {"eye": "1 2"}, ["1 2", "X Y Z"])
         self.refused("synthetic_camera", {"roll": 90.0}, ["roll", "eye"])
         self.refused("synthetic_camera", {"look_at": "0 0 1"}, ["look_at", "eye"])
