@@ -16,8 +16,7 @@ struct Evidence {
   float turn = 0.0f;             ///< 1 - |mean normal|: 0 of a plane, 0.5 of half a sphere
   float lead = 0.0f;             ///< score over that of the best other kind tried, per inlier, at most 1; planes: 0
   float own_noise = 0.0f;        ///< 1: the noise is the cloud's own; 0: it is that of depth cameras
-  float stands =
-      0.0f;  ///< of cylinders and cones, [0, 1]: how far it stands upright on a plane, or has one for its top
+  float stands = 0.0f;           ///< [0, 1], how far a cylinder or cone stands on a plane or has one for its top
 };
 
 }  // namespace primitect

@@ -99,7 +99,8 @@ PointsChoice Measurement::start(const Detection& found) {
   if (!hasAxis(kindOf(shape))) return {shape, false};
   gatherPart(found);
   const PointsChoice choice = refineOnPoints(shape, fit_points_, limits_);
-  return upright(choice, Leaning::clear, found).value_or(choice);
+  const Detection* face = faceOf(found);
+  return face ? upright(*face, choice, Leaning::clear).value_or(choice) : choice;
 }
 
 /// Points to fit to: those of the part that samples saw.
@@ -121,14 +122,12 @@ const Detection* Measurement::faceOf(const Detection& found) const {
 
 /// The choice for the points of the part, made to stand upright where it may. Whether it is a cylinder or a cone is
 /// clear only where it becomes a cone.
-std::optional<PointsChoice> Measurement::upright(PointsChoice choice, Leaning leaning, const Detection& found) const {
-  const Detection* face = faceOf(found);
-  if (!face) return std::nullopt;
-  const Vec3& normal = std::get<Plane>(face->shape).normal;
+std::optional<PointsChoice> Measurement::upright(const Detection& face, PointsChoice choice, Leaning leaning) const {
+  const Vec3& normal = std::get<Plane>(face.shape).normal;
   const std::optional<Shape> shape = uprightShape(choice.shape, normal, leaning, fit_points_, limits_);
   if (!shape) return std::nullopt;
   choice.shape = *shape;
-  choice.axis_deviation = std::hypot(kUprightDeviation, face->axis_stddev);
+  choice.axis_deviation = std::hypot(kUprightDeviation, face.axis_stddev);
   if (kindOf(*shape) == Kind::cone) choice.or_cone = choice.either = false;
   return choice;
 }
@@ -193,9 +192,10 @@ double Measurement::trustInSizeOf(const Fit& fit) const {
 /// What is tried in place of a sharp cone that its points do not determine: upright, else the cylinder.
 std::optional<PointsChoice> Measurement::insteadOf(const Fit& doubtful, const Detection& found) {
   const Vec3 middle = fit_points_.middle();
-  if (!doubtful.from.upright() && faceOf(found)) {
+  const Detection* face = doubtful.from.upright() ? nullptr : faceOf(found);
+  if (face) {
     gatherPart(found);
-    if (const auto choice = upright({doubtful.shape}, Leaning::any, found)) return choice;
+    if (const auto choice = upright(*face, {doubtful.shape}, Leaning::any)) return choice;
   }
   const std::optional<Cylinder> cylinder = asCylinder(found.shape, middle);
   if (!cylinder || !limits_.hold(*cylinder)) return std::nullopt;

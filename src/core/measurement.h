@@ -58,7 +58,7 @@ class Measurement {
   void gatherClear(const List<std::uint32_t>& clear, const Detection& found);
   void gatherPart(const Detection& found);
   const Detection* faceOf(const Detection& found) const;
-  std::optional<PointsChoice> upright(PointsChoice choice, Leaning leaning, const Detection& found) const;
+  std::optional<PointsChoice> upright(const Detection& face, PointsChoice choice, Leaning leaning) const;
   std::optional<PointsChoice> insteadOf(const Fit& doubtful, const Detection& found);
   Shape fittedToClear(const PointsChoice& from);
   Uncertainty uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const;

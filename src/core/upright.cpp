@@ -29,17 +29,18 @@ std::optional<Middle> middleOf(const Shape& shape, const Vec3& of_points) {
   return side ? std::optional<Middle>({*side, cone->axis}) : std::nullopt;
 }
 
-/// The cylinder about this axis through the middle of the seen side, as round there.
-Cylinder cylinderAbout(const Vec3& axis, const SeenSide& side) {
-  const Vec3 outward = (side.outward - side.outward.dot(axis) * axis).normalized();
-  return {side.point - side.radius * outward, axis, side.radius};
+/// Away from an axis of this direction, in the middle of the seen side.
+Vec3 outwardFrom(const Vec3& axis, const SeenSide& side) {
+  return (side.outward - side.outward.dot(axis) * axis).normalized();
 }
 
-/// The cone about this axis through the middle of the seen side, as round there.
+/// The cylinder and the cone about this axis through the middle of the seen side, as round there.
+Cylinder cylinderAbout(const Vec3& axis, const SeenSide& side) {
+  return {side.point - side.radius * outwardFrom(axis, side), axis, side.radius};
+}
 Cone coneAbout(const Vec3& axis, const SeenSide& side, double half_angle) {
-  const Vec3 outward = (side.outward - side.outward.dot(axis) * axis).normalized();
   const double radius = side.radius * std::cos(half_angle);
-  return {side.point - radius * outward - radius / std::tan(half_angle) * axis, axis, half_angle};
+  return {side.point - radius * outwardFrom(axis, side) - radius / std::tan(half_angle) * axis, axis, half_angle};
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ using test::SurfacePoint;
 const Vec3 kUp = -Vec3::UnitY(), kMiddle = Vec3(0.02, 0.01, 1.0);
 constexpr double kRadius = 0.036, kHeight = 0.09;
 
+const Cylinder kCan = {kMiddle, kUp, kRadius};
+
 /// The cone of this half angle around the middle, whose wide end is above or below.
 Cone cup(double half_angle, bool wide_above) {
   const Vec3 axis = wide_above ? kUp : Vec3(-kUp);
@@ -36,11 +38,9 @@ FitPoints pointsOf(const Cone& cone, std::uint64_t seed) {
   return test::fitPointsOf(test::noisySamples(points, 0.0, random));
 }
 
-/// That leans by this angle (rad) away from the camera.
-FitPoints pointsOfCan(double lean, std::uint64_t seed) {
+FitPoints pointsOf(const Cylinder& can, std::uint64_t seed) {
   constexpr int kCount = 1200;
   Random random(seed);
-  const Cylinder can = {kMiddle, Eigen::AngleAxisd(lean, Vec3::UnitX()) * kUp, kRadius};
   const auto points = test::patchOf(can, kCount, -0.5 * kHeight, 0.5 * kHeight, random);
   return test::fitPointsOf(test::noisySamples(points, 0.0, random));
 }
@@ -49,7 +49,7 @@ FitPoints pointsOfCan(double lean, std::uint64_t seed) {
 Cylinder leaningFit(const FitPoints& points) {
   RefineRules rules;
   rules.most_steps = 30;
-  return std::get<Cylinder>(*refine(Cylinder{kMiddle, kUp, kRadius}, points, rules));
+  return std::get<Cylinder>(*refine(kCan, points, rules));
 }
 
 double leanOf(const Vec3& axis) { return std::acos(std::min(1.0, std::abs(axis.dot(kUp)))); }
@@ -88,7 +88,7 @@ TEST(UprightShape, OfAConeThatLeansIsTheOneThatStands) {
 
 /// A can that a fit has turned.
 TEST(UprightShape, OfAStandingCanIsTheCan) {
-  const FitPoints points = pointsOfCan(0.0, 3);
+  const FitPoints points = pointsOf(kCan, 3);
   const Cylinder turned = {kMiddle, Eigen::AngleAxisd(3.0 * kDegree, Vec3::UnitX()) * kUp, kRadius};
   const std::optional<Shape> upright = uprightShape(turned, kUp, Leaning::clear, points, kLimits);
   ASSERT_TRUE(upright);
@@ -97,7 +97,7 @@ TEST(UprightShape, OfAStandingCanIsTheCan) {
 }
 
 TEST(UprightShape, OfWhatHardlyLeansIsOnlyThereForThoseWhoAsk) {
-  const FitPoints points = pointsOfCan(0.0, 4);
+  const FitPoints points = pointsOf(kCan, 4);
   const Cylinder found = leaningFit(points);
   ASSERT_LT(leanOf(found.axis), 1.0 * kDegree);
   EXPECT_FALSE(uprightShape(found, kUp, Leaning::clear, points, kLimits));
@@ -106,11 +106,8 @@ TEST(UprightShape, OfWhatHardlyLeansIsOnlyThereForThoseWhoAsk) {
 
 /// Sideways no taper looks like a lean.
 TEST(UprightShape, IsNoneWhereThePointsTellThatItLeans) {
-  constexpr int kCount = 1200;
-  Random random(5);
   const Cylinder can = {kMiddle, Eigen::AngleAxisd(8.0 * kDegree, Vec3::UnitZ()) * kUp, kRadius};
-  const auto seen = test::patchOf(can, kCount, -0.5 * kHeight, 0.5 * kHeight, random);
-  const FitPoints points = test::fitPointsOf(test::noisySamples(seen, 0.0, random));
+  const FitPoints points = pointsOf(can, 5);
   EXPECT_FALSE(uprightShape(can, kUp, Leaning::clear, points, kLimits));
 }
 
@@ -126,12 +123,10 @@ TEST(UprightShape, KeepsToTheLimits) {
   EXPECT_FALSE(uprightShape(found, kUp, Leaning::clear, points, {params, 0.5}));
 }
 
-TEST(UprightShape, IsNoneWithoutPoints) {
-  EXPECT_FALSE(uprightShape(Cylinder{kMiddle, kUp, kRadius}, kUp, Leaning::any, FitPoints(), kLimits));
-}
+TEST(UprightShape, IsNoneWithoutPoints) { EXPECT_FALSE(uprightShape(kCan, kUp, Leaning::any, FitPoints(), kLimits)); }
 
 TEST(UprightShape, IsNoneOfPlanesAndBalls) {
-  const FitPoints points = pointsOfCan(0.0, 7);
+  const FitPoints points = pointsOf(kCan, 7);
   EXPECT_FALSE(uprightShape(Plane{kMiddle, Vec3::UnitZ()}, kUp, Leaning::any, points, kLimits));
   EXPECT_FALSE(uprightShape(Sphere{kMiddle, kRadius}, kUp, Leaning::any, points, kLimits));
 }
