@@ -34,6 +34,7 @@ void check(const NoiseParams& params, const PinholeCamera& camera, const std::ve
   requireOdd("grain", params.grain, 31);
   require(params.disparity_noise >= 0.0 && params.disparity_noise <= 10.0, "disparity_noise", params.disparity_noise,
           "0 to 10 px");
+  require(params.sideways >= 0.0 && params.sideways <= 10.0, "sideways", params.sideways, "0 to 10 px");
   require(params.baseline > 0.0 && params.baseline <= 10.0, "baseline", params.baseline, "above 0, to 10 m");
   require(params.disparity_step >= 0.0 && params.disparity_step <= 10.0, "disparity_step", params.disparity_step,
           "0 to 10 px");
@@ -107,6 +108,30 @@ double sigmaAt(double z, const NoiseParams& params, double fx) {
   return params.disparity_noise > 0.0 ? params.disparity_noise * z * z / (fx * params.baseline) : axialSigma(z);
 }
 
+/// By how much the depth changes from pixel to pixel (m) on the surface of each pixel: across an edge it does not tell.
+std::vector<float> stepsOf(const std::vector<float>& depth, const PinholeCamera& camera) {
+  std::vector<float> steps(depth.size());
+  const auto gentler = [&depth](std::size_t before, std::size_t i, std::size_t after) {
+    // A neighbour that saw nothing, NaN, is not taken: fmin takes the other one.
+    return std::fmin(std::abs(depth[i] - depth[before]), std::abs(depth[i] - depth[after]));
+  };
+  const auto width = static_cast<std::size_t>(camera.width);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const std::size_t u = i % width, v = i / width, last = static_cast<std::size_t>(camera.height) - 1;
+    const float across = u > 0 && u + 1 < width ? gentler(i - 1, i, i + 1) : 0.0f;
+    const float down = v > 0 && v < last ? gentler(i - width, i, i + width) : 0.0f;
+    steps[i] = std::hypot(std::fmax(across, 0.0f), std::fmax(down, 0.0f));
+  }
+  return steps;
+}
+
+/// Where slanted surfaces have it, on top of the noise along the rays.
+void addSidewaysNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint64_t seed,
+                      std::vector<float>& depth) {
+  const std::vector<float> field = noiseField(params.grain, camera, seed), steps = stepsOf(depth, camera);
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += static_cast<float>(params.sideways) * steps[i] * field[i];
+}
+
 void addAxialNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint64_t seed,
                    std::vector<float>& depth) {
   const std::vector<float> field = noiseField(params.grain, camera, seed);
@@ -139,6 +164,7 @@ void addNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint6
   if (params.max_incidence_deg < 90.0) removeSlanted(params, camera, depth);
   removeOutOfRange(params, depth);
   if (params.waves > 0.0) bend(params.waves, params.wave_length, camera, ~seed, depth);
+  if (params.sideways > 0.0) addSidewaysNoise(params, camera, frameSeed(~seed, frame_index), depth);
   if (params.scale > 0.0) addAxialNoise(params, camera, frameSeed(seed, frame_index), depth);
   if (params.disparity_step > 0.0) quantize(params, camera.fx, depth);
   if (params.blots > 0.0) removeBlots(params.blots, params.blot_grain, camera, ~frameSeed(seed, frame_index), depth);

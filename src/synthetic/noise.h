@@ -16,6 +16,9 @@ struct NoiseParams {
   int grain = 1;       ///< px, odd: so many by so many pixels share noise of that strength, as of a block matcher
   /// px, standard deviation of the disparity, that of the depth is this times z^2 / (fx * baseline); 0 = axialSigma()
   double disparity_noise = 0.0;
+  /// px, standard deviation of where a pixel measures, to the side: that much more depth noise where a surface is
+  /// slanted
+  double sideways = 0.0;
   double baseline = 0.075;          ///< between projector, or second camera, and camera, m
   double disparity_step = 0.125;    ///< px; disparities are multiples of it; 0 = off
   int footprint = 1;                ///< px, odd: a pixel measures the mean over so many by so many (mixNeighbors)

@@ -26,9 +26,11 @@ PointImage imageOf(const Cloud& cloud) {
 
 WindowTask taskAt(const Cloud& cloud, std::size_t pixel, std::size_t half_width) {
   const float depth = cloud.z[pixel];
-  return {
-      pixel, half_width, (half_width + 1) / 2, depth, cloud.x[pixel] / depth, cloud.y[pixel] / depth, 0.04f, 0.005f, 6,
-      0.0f,  0.0f};
+  WindowTask task = {};
+  task.pixel = pixel, task.half_width = half_width, task.inner_half_width = (half_width + 1) / 2;
+  task.depth = depth, task.u = cloud.x[pixel] / depth, task.v = cloud.y[pixel] / depth;
+  task.largest_jump = 0.04f, task.tolerance = 0.005f, task.tolerance_per_slope = 0.01f, task.fewest_at_start = 6;
+  return task;
 }
 
 /// With the pitch that these clouds have.
@@ -78,6 +80,14 @@ Cloud cleanCloud(std::uint64_t seed) {
   return cloud;
 }
 
+/// A plane at 60 to 85 deg to the view, with noise of four times what is tolerated about gentler ones.
+Cloud steepCloud(std::uint64_t seed) {
+  Random random(seed);
+  Cloud cloud = test::cameraCloud(Vec3(0.5, 0.1, 0.4).normalized(), 0.3);
+  for (std::size_t i = 0; i < cloud.size(); ++i) scale(cloud, i, 1.0f + 0.007f * static_cast<float>(random.gaussian()));
+  return cloud;
+}
+
 /// Returns how many fits there were.
 int compareWithDefinition(const Cloud& cloud, std::size_t half_width) {
   int fitted = 0;
@@ -109,8 +119,19 @@ TEST(WindowFits, AgreeWithTheDefinitionInDouble) {
   for (const std::size_t half_width : {3u, 7u, 8u, 10u, 30u}) {
     fitted += compareWithDefinition(roughCloud(51 + half_width), half_width);
     fitted += compareWithDefinition(cleanCloud(51 + half_width), half_width);
+    fitted += compareWithDefinition(steepCloud(51 + half_width), half_width);
   }
-  EXPECT_GT(fitted, 2400);
+  EXPECT_GT(fitted, 3600);
+}
+
+TEST(WindowFits, TolerateMoreOfAPlaneTheSteeperItIs) {
+  WindowTask task = {};
+  task.tolerance = 0.003f, task.tolerance_per_slope = 0.004f;
+  const auto tolerated = [&task](double a, double b) { return toleranceOf(task, {a, b}); };
+  EXPECT_FLOAT_EQ(tolerated(0.0, 0.0), 0.003f);
+  EXPECT_FLOAT_EQ(tolerated(0.9, -1.2), 0.003f) << "a slope of 1.5";
+  EXPECT_FLOAT_EQ(tolerated(0.0, 2.5), 0.005f);
+  EXPECT_FLOAT_EQ(tolerated(-1.5, 2.0), 0.005f);
 }
 
 TEST(WindowFits, TakeAllPixelsOfAPinholeImageOnlyWhereTheyAreOneSurface) {
@@ -150,6 +171,7 @@ void expectSameBits(const Cloud& cloud) {
 TEST(WindowFits, GiveTheSameBitsOnEveryInstructionSet) {
   expectSameBits(roughCloud(52));
   expectSameBits(cleanCloud(52));
+  expectSameBits(steepCloud(52));
 }
 
 TEST(WindowFits, ReadNothingBeyondASmallImage) {

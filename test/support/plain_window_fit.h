@@ -43,6 +43,12 @@ kernels::WindowPlane plainPass(const kernels::PointImage& image, const kernels::
   return plane;
 }
 
+/// What is tolerated about a plane; steep: above a slope of 1.5.
+inline double plainTolerance(const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
+  const double steeper = std::max(std::hypot(plane.a, plane.b) - 1.5, 0.0);
+  return std::hypot(task.tolerance, task.tolerance_per_slope * steeper);
+}
+
 /// Sum of d minus the plane's, squared, over all pixels of the window; NaN where one is missing.
 inline double leftOver(const kernels::PointImage& image, const kernels::WindowTask& task,
                        const kernels::WindowPlane& plane) {
@@ -60,21 +66,22 @@ inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, con
   const auto measured = [](double, double, double d) { return d == d; };
   if (task.u_per_column != 0.0f) {
     const kernels::WindowPlane plane = plainPass(image, task, reach, measured);
-    if (leftOver(image, task, plane) < plane.used * std::pow(0.42 * task.tolerance, 2)) return plane;
+    if (leftOver(image, task, plane) < plane.used * std::pow(0.42 * plainTolerance(task, plane), 2)) return plane;
   }
   const auto near = [&](double, double, double d) { return std::abs(d) < task.largest_jump; };
   const kernels::WindowPlane start = plainPass(image, task, static_cast<int>(task.inner_half_width), near);
   if (start.used < task.fewest_at_start || start.used == 0) return {};
   const auto refit = [&](const kernels::WindowPlane& plane) {
+    const double tolerance = plainTolerance(task, plane);
     return plainPass(image, task, reach, [&](double u, double v, double d) {
-      return std::abs(d - (plane.a * u + plane.b * v + plane.c)) < task.tolerance;
+      return std::abs(d - (plane.a * u + plane.b * v + plane.c)) < tolerance;
     });
   };
   const kernels::WindowPlane plane = refit(start);
   if (plane.used == 0) return plane;
   const double slope_sq = std::pow(plane.a - start.a, 2) + std::pow(plane.b - start.b, 2);
   const double shift_sq = slope_sq / (plane.used * plane.variance) + std::pow(plane.c - start.c, 2);
-  return shift_sq < std::pow(0.1 * task.tolerance, 2) ? plane : refit(plane);
+  return shift_sq < std::pow(0.1 * plainTolerance(task, start), 2) ? plane : refit(plane);
 }
 
 }  // namespace primitect::test
