@@ -59,7 +59,7 @@ const Detections& Detector::detect(const Cloud& cloud, const Effort& effort) {
   }
   if (w.params.verify && w.result.status == Status::ok) {
     if (w.askForTime()) w.lookCloser(seen);
-    w.conclude();
+    w.conclude(seen);
     w.done("look closer");
     w.measureOnCloud(seen);
     w.done("measure");

@@ -234,6 +234,25 @@ double Measurement::leaveOutThinEnds(const Shape& shape) {
   return static_cast<double>(points_.size()) / before;
 }
 
+/// Among the points of a tube or cone are some of other things in its continuation: they would stretch it by half or
+/// more, and what is not seen there would take its confidence. It is the part that is seen, where most of its points
+/// are. index: of its points, in their order. Returns the share of it that is seen.
+double Measurement::keepToSeen(Detection& detection, List<std::uint32_t>& index) {
+  constexpr double kMost = 0.7;
+  const SeenShare seen = seenShare(detection, index, cloud_, rays_, range_, sigma_);
+  if (!seen.part || !noise_.ofDepthCamera()) return seen.all;
+  List<std::uint32_t> within;
+  for (const std::uint32_t i : index) {
+    const double height = (cloud_.point(i) - detection.extent.origin).dot(detection.extent.rotation.col(2));
+    if (seen.part->holds(static_cast<float>(height))) within.push_back(i);
+  }
+  if (static_cast<double>(within.size()) < kMost * static_cast<double>(index.size())) return seen.all;
+  std::swap(index, within);
+  points_.gather(cloud_, index);
+  detection.extent = measureExtent(detection.shape, points_, {});
+  return seen.in_part;
+}
+
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
                           Detection& detection) {
   points_.gather(cloud_, labelled.index);
@@ -250,12 +269,14 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (fit.from.either && kindOf(detection.shape) == Kind::cylinder) detection.confidence *= kTrustInEither;
   double share = leaveOutThinEnds(detection.shape);
   detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
+  List<std::uint32_t> index = labelled.index;
+  const double seen_share = keepToSeen(detection, index);
+  if (!index.empty()) share *= static_cast<double>(index.size()) / static_cast<double>(labelled.index.size());
   detection.rms_error = rmsDistance(detection.shape, points_);
   const Density density = noise_.ofDepthCamera() ? Density::of_pixels : Density::of_surface;
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_, density);
-  detection.confidence *=
-      static_cast<float>(trustInShare(seenShare(detection, labelled.index, cloud_, rays_, range_, sigma_)));
-  const Truncated truncated = truncation_.find(detection.shape, detection.extent, labelled.index);
+  detection.confidence *= static_cast<float>(trustInShare(seen_share));
+  const Truncated truncated = truncation_.find(detection.shape, detection.extent, index);
   detection.truncated = truncated.by;
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);

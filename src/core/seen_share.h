@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "core/axis_extent.h"
 #include "core/frame_memory.h"
 #include "core/image_rays.h"
 #include "core/point_noise.h"
@@ -13,15 +15,27 @@
 
 namespace primitect {
 
+/// How much of a cylinder or cone is seen, [0, 1].
+struct SeenShare {
+  double all = 1.0;              ///< of what was observed of it
+  std::optional<AxisPart> part;  ///< of the extent, beyond which it is hardly seen; none where it is all along
+  double in_part = 1.0;          ///< of that part
+};
+
 /// Of places all over the observed part of a cylinder or cone, the share at which the image has a point on the surface,
-/// [0, 1]; of a ninth of them, or more, as soon as these settle what is left of the confidence. Blots with the surface
+/// of a ninth of them, or more, as soon as these settle that all of it is seen. Blots with the surface
 /// on both sides count a quarter, other holes half. Not asked are places that something nearer hides, with the shadow
 /// beside it, single missing pixels, those between which and the border of the image nothing is measured, those at the
 /// limb, and those at a bound of the depth. pixels: points of the cloud on the shape; range: outside of it, points of
 /// this cloud were made missing; sigma(p): m, noise of the distance to a surface. 1 of planes and spheres, whose extent
 /// does not tell where they end, of clouds that are no image, and where there are too few places to tell.
-double seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                 const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+                    const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+
+/// Whether a fifth of these places or more, in one part along the axis, leaves any confidence in the shape: it may be a
+/// tube through several things. True where seenShare() is 1 for all shapes.
+bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
+                     const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 
 /// Of the same places, the share at which the image shows what lies clearly behind the surface, also beyond the far
 /// bound of the depth; 0 where there are too few to tell, and where seenShare() is 1 for all shapes. What is a little

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "core/candidate.h"
@@ -63,9 +64,12 @@ class Verification {
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   List<std::uint32_t> unexplained();
 
+  /// Whether the image shows a likely cylinder or cone where its samples say that it is.
+  using IsSeen = std::function<bool(const Segment&)>;
+
   /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
-  /// likely enough; its samples may serve others.
-  void conclude();
+  /// likely enough, or not seen; its samples may serve others. No is_seen: all are.
+  void conclude(const IsSeen& is_seen = nullptr);
 
   /// What samples may stray.
   const NoiseModel& noise() const { return noise_; }
@@ -120,6 +124,8 @@ class Verification {
   void assess(Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();
+  bool refuseUnseen(const IsSeen& is_seen);
+  void refuse(const Segment& segment);
   HeldGains heldByChosen() const;
 
   Params params_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/axis_extent.h"
 #include "core/evidence.h"
 #include "core/facets.h"
 #include "core/plane_parts.h"
@@ -152,24 +153,41 @@ void Verification::settle() {
   assess();
 }
 
+void Verification::refuse(const Segment& segment) {
+  silence(pool_[segment.hypothesis]);
+  ++refusals_[Refusal::unlikely];
+}
+
 bool Verification::refuseUnlikely() {
   bool any = false;
   for (const Segment& segment : segments_) {
     if (!isUnlikely(segment)) continue;
-    silence(pool_[segment.hypothesis]);
-    ++refusals_[Refusal::unlikely];
+    refuse(segment);
     any = true;
   }
   return any;
 }
 
-void Verification::conclude() {
+/// A tube through the edge of a table, or a cone over three things, may be as likely on the samples as what is there.
+bool Verification::refuseUnseen(const IsSeen& is_seen) {
+  if (!is_seen) return false;
+  bool any = false;
+  for (Segment& segment : segments_) {
+    if (!hasAxis(kindOf(segment.candidate.shape)) || is_seen(segment)) continue;
+    segment.confidence = 0.0;
+    refuse(segment);
+    any = true;
+  }
+  return any;
+}
+
+void Verification::conclude(const IsSeen& is_seen) {
   constexpr int kRefusals = 4;
   select();
   joinFacets();
   refit();
   settle();
-  for (int k = 0; refuseUnlikely() && k < kRefusals; ++k) {
+  for (int k = 0; (refuseUnlikely() || refuseUnseen(is_seen)) && k < kRefusals; ++k) {
     selectAgain();
     settle();
   }

@@ -233,8 +233,8 @@ void Detector::Workspace::lookCloser(const Cloud& cloud) {
   voteAgain();
 }
 
-void Detector::Workspace::conclude() {
-  verification.conclude();
+void Detector::Workspace::conclude(const Cloud& cloud) {
+  verification.conclude([&](const Segment& segment) { return isSeen(segment, cloud); });
   useVerified();
   result.refusals = verification.refusals();
 }

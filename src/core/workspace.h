@@ -65,7 +65,7 @@ struct Detector::Workspace {
   void lookCloser(const Cloud& cloud);
 
   /// What is there, and how likely; refuses what is not likely enough.
-  void conclude();
+  void conclude(const Cloud& cloud);
 
   // Between them, and what they draw: workspace_samples.cpp.
 
@@ -121,6 +121,7 @@ struct Detector::Workspace {
   void measureNoise(const Cloud& cloud);
   void useVerified();
   void voteAgain();
+  bool isSeen(const Segment& tube, const Cloud& cloud);
   void describeSegments(const List<Segment>& described, const Samples& of);
 
   /// Of a curved shape that a part of a plane is a patch of: see isPatchOf().

@@ -90,12 +90,27 @@ class Can : public testing::Test {
     }
   }
 
-  double share() {
-    const auto sigma = [this](const Vec3& p) {
+  double share() { return seen().all; }
+
+  SeenShare seen() { return seenShare(can_, pixels_, cloud_, rays_, range_, sigma()); }
+  bool isSeenSomewhere() { return primitect::isSeenSomewhere(can_, pixels_, cloud_, rays_, range_, sigma()); }
+
+  PointNoise sigma() {
+    return [this](const Vec3& p) {
       ++asked_;
       return synthetic::axialSigma(p.z());
     };
-    return seenShare(can_, pixels_, cloud_, rays_, range_, sigma);
+  }
+
+  /// By so much (m) at its upper end, where a pixel of something else passes for its own.
+  void stretch(double longer) {
+    const bool up = can_.extent.rotation.col(2).y() < 0.0;
+    moveEnds(up ? 0.0 : -longer, up ? longer : 0.0, can_.shape, can_.extent);
+    const Vec3 end = can_.extent.origin + 0.5 * (up ? 1.0 : -1.0) * can_.extent.size.z() * can_.extent.rotation.col(2);
+    const double column = camera_.cx + camera_.fx * end.x() / end.z(),
+                 row = camera_.cy + camera_.fy * end.y() / end.z();
+    pixels_.push_back(static_cast<std::uint32_t>(std::lround(row)) * cloud_.width +
+                      static_cast<std::uint32_t>(std::lround(column)));
   }
 
   synthetic::World world_;
@@ -132,6 +147,46 @@ TEST_F(Can, IsAskedAtMorePlacesOnlyUntilTheseSettleOrAreMany) {
   EXPECT_NEAR(share(), 0.83, kBorders);
   EXPECT_GE(asked_, 500);
   EXPECT_LE(asked_, 500 + kNinth);
+}
+
+TEST_F(Can, ThatIsTakenForALongerOneIsSeenInAPartOfIt) {
+  render(false);
+  addBackground();
+  const double length = can_.extent.size.z();
+  EXPECT_FALSE(seen().part);
+  stretch(0.6 * length);
+  const SeenShare found = seen();
+  EXPECT_NEAR(found.all, 1.0 / 1.6, kBorders);
+  ASSERT_TRUE(found.part);
+  EXPECT_NEAR(found.part->high - found.part->low, length, 1.6 * length / 24.0) << "to one of 24 parts";
+  EXPECT_GT(found.in_part, 1.0 - 2.0 * kBorders);
+  EXPECT_TRUE(isSeenSomewhere());
+}
+
+TEST_F(Can, InTattersIsASeenPartOfNothing) {
+  render(false);
+  addBackground();
+  EXPECT_TRUE(isSeenSomewhere());
+  changeSome(0.5, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
+  EXPECT_FALSE(seen().part) << "it is as much in tatters everywhere";
+  EXPECT_FALSE(isSeenSomewhere());
+  changeSome(0.95, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
+  EXPECT_FALSE(isSeenSomewhere()) << "nowhere any more";
+}
+
+TEST_F(Can, OfWhichATenthIsSeenIsNotSeen) {
+  render(false);
+  const List<std::uint32_t> all = pixels_;
+  const std::uint32_t first = all.front() / cloud_.width, last = all.back() / cloud_.width;
+  for (const double part : {0.4, 0.1}) {
+    const auto end = first + static_cast<std::uint32_t>((1.0 - part) * (last - first));
+    pixels_ = {all.front()};  // a straggler
+    for (const std::uint32_t i : all) {
+      if (i / cloud_.width < end) cloud_.z[i] = 1.9f;
+      if (i / cloud_.width >= end) pixels_.push_back(i);
+    }
+    EXPECT_EQ(isSeenSomewhere(), part > 0.2) << part;
+  }
 }
 
 TEST_F(Can, WithBumpsIsNotSeenThere) {

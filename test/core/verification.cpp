@@ -52,9 +52,9 @@ class Frame {
     if (verification_.samples().size() == 0) verification_.measureNoise(test::samplesOf(points), candidates);
     addRound(verification_, test::samplesOf(points), candidates);
   }
-  void conclude(const std::vector<SurfacePoint>& points = {}) {
+  void conclude(const std::vector<SurfacePoint>& points = {}, const Verification::IsSeen& is_seen = nullptr) {
     verification_.addSamples(test::samplesOf(points));
-    verification_.conclude();
+    verification_.conclude(is_seen);
   }
 
   const Verification& verification() const { return verification_; }
@@ -189,6 +189,27 @@ TEST(Verification, SplitsPartsThatLieInNearlyTheSamePlane) {
     const bool left = segment->inliers[0] < 400;
     EXPECT_NEAR(distance(plane, left ? Vec3(-0.3, 0, 1.0) : Vec3(0.3, 0, 1.008)), 0.0, kNoise);
     EXPECT_GT(segment->inliers.size(), 340u);  // most of 400
+  }
+}
+
+TEST(Verification, RefusesTubesThatAreNotSeenWhileOthersMayHaveTheirSamples) {
+  Random random(101);
+  const Cylinder can = {Vec3(0, 0, 1.0), Vec3::UnitX(), 0.05};
+  const std::vector<SurfacePoint> points =
+      noisy(together({plate(Vec3(-0.4, 0, 1.0), 0.1, 0.2, 300, random), patchOf(can, 300, -0.1, 0.1, random)}), random);
+  for (const bool is_seen : {true, false}) {
+    Frame frame;
+    frame.round(points);
+    int asked = 0;
+    frame.conclude({}, [&](const Segment& tube) {
+      ++asked;
+      EXPECT_EQ(kindOf(tube.candidate.shape), Kind::cylinder);
+      return is_seen;
+    });
+    EXPECT_GE(asked, 1);
+    EXPECT_EQ(frame.of(Kind::cylinder).size(), is_seen ? 1u : 0u);
+    EXPECT_EQ(frame.verification().refusals()[Refusal::unlikely] > 0, !is_seen);
+    EXPECT_GE(frame.of(Kind::plane).size(), 1u);
   }
 }
 
