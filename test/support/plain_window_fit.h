@@ -43,9 +43,9 @@ kernels::WindowPlane plainPass(const kernels::PointImage& image, const kernels::
   return plane;
 }
 
-/// What is tolerated about a plane; steep: above a slope of 1.5.
+/// What is tolerated about a plane; steep: above a slope of 3.
 inline double plainTolerance(const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
-  const double steeper = std::max(std::hypot(plane.a, plane.b) - 1.5, 0.0);
+  const double steeper = std::max(std::hypot(plane.a, plane.b) - 3.0, 0.0);
   return std::hypot(task.tolerance, task.tolerance_per_slope * steeper);
 }
 
