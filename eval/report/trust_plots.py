@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plots of what detections say of themselves: reliability diagram, normalised errors by kind."""
 import os
+import textwrap
 
 from matplotlib.patches import Patch
 
@@ -9,6 +10,11 @@ from report import figures, trust
 from report.kinds import KINDS
 
 COLOURS = {"total": "#0b62b8", "origin": "#7fb3e6", "axis": "#e8820c", "radius": "#1b8a5a", "half_angle": "#8e4ab8"}
+
+
+def title_of(group, error):
+    """In lines that are no wider than a panel of seven."""
+    return "%s\nECE %.3f" % (textwrap.fill(group, 16), error)
 
 
 def reliability(lines, folder):
@@ -24,7 +30,7 @@ def reliability(lines, folder):
         some = [one for one in bins if one.count]
         top.plot([one.confidence for one in some], [one.right for one in some], "o-", color="#0b62b8",
                  label="share that is right")
-        top.set_title("%s\nECE %.3f" % (name, trust.calibration_error(bins)))
+        top.set_title(title_of(name, trust.calibration_error(bins)))
         top.set_ylim(-0.03, 1.03)
         bottom.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)], [one.count for one in bins],
                    0.9 / trust.BINS, color="#a9a9a9")

@@ -97,6 +97,12 @@ def test_frames_that_were_shuffled_stand_apart():
     assert values == {"depth frames": (1.0, 1), "shuffled frames": (10.0, 1)}
 
 
+def test_titles_are_as_wide_as_their_panels():
+    title = trust_plots.title_of("frames of other sensors, and with blots", 0.005)
+    assert title.split("\n")[-1] == "ECE 0.005" and " ".join(title.split("\n")[:-1]).endswith("and with blots")
+    assert max(map(len, title.split("\n"))) <= 16
+
+
 def test_plots_are_drawn_of_what_there_is_and_of_nothing_none():
     with tempfile.TemporaryDirectory() as folder:
         nothing = [line(detections=[{"kind": "plane", "verdict": "right"}])]

@@ -234,21 +234,21 @@ double Measurement::leaveOutThinEnds(const Shape& shape) {
   return static_cast<double>(points_.size()) / before;
 }
 
-/// Among the points of a tube or cone are some of other things in its continuation: they would stretch it by half or
-/// more, and what is not seen there would take its confidence. It is the part that is seen, where most of its points
-/// are. index: of its points, in their order. Returns the share of it that is seen.
-double Measurement::keepToSeen(Detection& detection, List<std::uint32_t>& index) {
+/// Among the points of a tube or cone, index, are some of other things in its continuation: they would stretch it by
+/// half or more, and what is not seen there would take its confidence. It is the part that is seen, where most of its
+/// points are: kept becomes these. Returns the share of it that is seen.
+double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept) {
   constexpr double kMost = 0.7;
   const SeenShare seen = seenShare(detection, index, cloud_, rays_, range_, sigma_);
   if (!seen.part || !noise_.ofDepthCamera()) return seen.all;
-  List<std::uint32_t> within;
+  List<std::uint32_t> in_part;
   for (const std::uint32_t i : index) {
     const double height = (cloud_.point(i) - detection.extent.origin).dot(detection.extent.rotation.col(2));
-    if (seen.part->holds(static_cast<float>(height))) within.push_back(i);
+    if (seen.part->holds(static_cast<float>(height))) in_part.push_back(i);
   }
-  if (static_cast<double>(within.size()) < kMost * static_cast<double>(index.size())) return seen.all;
-  std::swap(index, within);
-  points_.gather(cloud_, index);
+  if (static_cast<double>(in_part.size()) < kMost * static_cast<double>(index.size())) return seen.all;
+  std::swap(kept, in_part);
+  points_.gather(cloud_, kept);
   detection.extent = measureExtent(detection.shape, points_, {});
   return seen.in_part;
 }
@@ -269,9 +269,10 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (fit.from.either && kindOf(detection.shape) == Kind::cylinder) detection.confidence *= kTrustInEither;
   double share = leaveOutThinEnds(detection.shape);
   detection.extent = measureExtent(detection.shape, points_, outermost_, std::move(detection.extent.hull));
-  List<std::uint32_t> index = labelled.index;
-  const double seen_share = keepToSeen(detection, index);
-  if (!index.empty()) share *= static_cast<double>(index.size()) / static_cast<double>(labelled.index.size());
+  List<std::uint32_t> kept;
+  const double seen_share = keepToSeen(detection, labelled.index, kept);
+  const List<std::uint32_t>& index = kept.empty() ? labelled.index : kept;
+  if (!kept.empty()) share *= static_cast<double>(kept.size()) / static_cast<double>(labelled.index.size());
   detection.rms_error = rmsDistance(detection.shape, points_);
   const Density density = noise_.ofDepthCamera() ? Density::of_pixels : Density::of_surface;
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_, density);
@@ -280,8 +281,8 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.truncated = truncated.by;
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.
   measureToTheEnds(detection.shape, points_, detection.extent);
-  // What is measured above is with the points of a next part: clutter earns no more trust by leaving out what
-  // contradicts it.
+  // What is measured above is with the points of a next part that goes on smoothly: clutter earns no more trust by
+  // leaving out what contradicts it.
   share *= endWhereItBends(points_, sigma_, detection.shape, detection.extent);
   detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));
   endAtFacesOrTip(detection);

@@ -63,7 +63,7 @@ class Measurement {
   Shape fittedToClear(const PointsChoice& from);
   Uncertainty uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);
-  double keepToSeen(Detection& detection, List<std::uint32_t>& index);
+  double keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept);
   void endAtFacesOrTip(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found,
              const PointsChoice& from);

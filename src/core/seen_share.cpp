@@ -219,37 +219,43 @@ class CountsAlong {
       : origin_(extent.origin), axis_(extent.rotation.col(2)), length_(extent.size.z()) {}
 
   void add(const Vec3& point, Sight sight) {
-    const double along = (point - origin_).dot(axis_) / length_ + 0.5;  // 0 to 1
-    const auto bin = static_cast<std::ptrdiff_t>(along * static_cast<double>(kBins));
-    of_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(bin, 0, kBins - 1))].add(sight);
+    const double along = (point - origin_).dot(axis_) / length_ + 0.5;  // 0 to 1; of no length no number
+    const double bin = std::clamp(along * static_cast<double>(kBins), 0.0, static_cast<double>(kBins - 1));
+    in_bin_[bin == bin ? static_cast<std::size_t>(bin) : 0].add(sight);
     all_.add(sight);
   }
 
   const Count& all() const { return all_; }
 
-  struct Part {
-    std::size_t first = 0, end = kBins;  ///< bins
+  /// Bins in a row.
+  struct Run {
+    std::size_t first = 0, end = kBins;
     Count count;
+
+    bool isWhole() const { return end - first == kBins; }
   };
 
-  /// The bins in a row whose places speak most for the surface, where this share of them says neither; all where none
-  /// speak for it.
-  Part bestPart(double neither) const {
-    Part best;
+  /// Those whose places speak most for the surface, where this share of them says neither, with those beside them that
+  /// nobody could look at; all where none speak for it.
+  Run bestRun(double neither) const {
+    Run best, run;
     best.count = all_;
     double most = 0.0, sum = 0.0;
-    Part part;
     for (std::size_t bin = 0; bin < kBins; ++bin) {
-      if (sum < 0.0) sum = 0.0, part = {bin, bin, {}};
-      sum += of_[bin].surface - neither * of_[bin].asked();
-      part.count.add(of_[bin]), part.end = bin + 1;
-      if (sum > most) most = sum, best = part;
+      if (sum < 0.0) sum = 0.0, run = {bin, bin, {}};
+      sum += in_bin_[bin].surface - neither * in_bin_[bin].asked();
+      run.count.add(in_bin_[bin]), run.end = bin + 1;
+      if (sum > most) most = sum, best = run;
     }
+    while (best.end < kBins && in_bin_[best.end].asked() == 0.0) ++best.end;
     return best;
   }
 
-  AxisPart along(const Part& part) const { return {at(part.first), at(part.end)}; }
-  static bool isWhole(const Part& part) { return part.end - part.first == kBins; }
+  /// Without an end where the extent has its own.
+  AxisPart along(const Run& run) const {
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    return {run.first > 0 ? at(run.first) : -kNone, run.end < kBins ? at(run.end) : kNone};
+  }
 
  private:
   static constexpr std::size_t kBins = 24;
@@ -261,7 +267,7 @@ class CountsAlong {
 
   Vec3 origin_, axis_;
   double length_;
-  std::array<Count, kBins> of_;
+  std::array<Count, kBins> in_bin_;
   Count all_;
 };
 
@@ -316,9 +322,9 @@ SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixel
   if (!count) return {};
   const double all = count->all().share();
   if (all >= kFullTrust) return {all, std::nullopt, all};
-  const CountsAlong::Part part = count->bestPart(kByChance);
-  if (CountsAlong::isWhole(part)) return {all, std::nullopt, all};
-  return {all, count->along(part), part.count.share()};
+  const CountsAlong::Run run = count->bestRun(kByChance);
+  if (run.isWhole()) return {all, std::nullopt, all};
+  return {all, count->along(run), run.count.share()};
 }
 
 bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
@@ -326,7 +332,7 @@ bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixe
   constexpr double kLeast = 0.2;
   const std::optional<CountsAlong> count = countAt(detection, pixels, cloud, rays, range, sigma);
   if (!count || count->all().share() > kNoTrust) return true;
-  const Count best = count->bestPart(kNoTrust).count;
+  const Count best = count->bestRun(kNoTrust).count;
   return best.share() > kNoTrust && best.asked() >= kLeast * count->all().asked();
 }
 

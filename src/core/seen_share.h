@@ -17,23 +17,26 @@ namespace primitect {
 
 /// How much of a cylinder or cone is seen, [0, 1].
 struct SeenShare {
-  double all = 1.0;              ///< of what was observed of it
-  std::optional<AxisPart> part;  ///< of the extent, beyond which it is hardly seen; none where it is all along
-  double in_part = 1.0;          ///< of that part
+  double all = 1.0;  ///< of what was observed of it
+  /// Along the axis, from the extent's origin: beyond it is hardly seen. It has no end where the extent has its own;
+  /// none where the image does not tell of such an end.
+  std::optional<AxisPart> part;
+  double in_part = 1.0;  ///< of that part
 };
 
-/// Of places all over the observed part of a cylinder or cone, the share at which the image has a point on the surface,
-/// of a ninth of them, or more, as soon as these settle that all of it is seen. Blots with the surface
-/// on both sides count a quarter, other holes half. Not asked are places that something nearer hides, with the shadow
-/// beside it, single missing pixels, those between which and the border of the image nothing is measured, those at the
-/// limb, and those at a bound of the depth. pixels: points of the cloud on the shape; range: outside of it, points of
-/// this cloud were made missing; sigma(p): m, noise of the distance to a surface. 1 of planes and spheres, whose extent
-/// does not tell where they end, of clouds that are no image, and where there are too few places to tell.
+/// Of places all over the observed part of a cylinder or cone, the share at which the image has a point on the surface.
+/// A ninth of them is asked where that settles that nearly all of it is seen, else more. Blots with the surface on both
+/// sides count a quarter, other holes half. Not asked are places that something nearer hides, with the shadow beside
+/// it, single missing pixels, those between which and the border of the image nothing is measured, those at the limb,
+/// and those at a bound of the depth. pixels: points of the cloud on the shape; range: outside of it, points of this
+/// cloud were made missing; sigma(p): m, noise of the distance to a surface. 1 of planes and spheres, whose extent does
+/// not tell where they end, of clouds that are no image, and where there are too few places to tell.
 SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                     const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 
-/// Whether a fifth of these places or more, in one part along the axis, leaves any confidence in the shape: it may be a
-/// tube through several things. True where seenShare() is 1 for all shapes.
+/// Whether any confidence is left in the shape by this share, or by that of one part along the axis with a fifth of the
+/// places or more: the shape may lead through several things, with gaps between them. True where nothing tells, as
+/// above.
 bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
                      const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
 

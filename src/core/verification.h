@@ -64,11 +64,11 @@ class Verification {
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   List<std::uint32_t> unexplained();
 
-  /// Whether the image shows a likely cylinder or cone where its samples say that it is.
+  /// Whether the image shows a cylinder or cone where its samples say that it is.
   using IsSeen = std::function<bool(const Segment&)>;
 
   /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
-  /// likely enough, or not seen; its samples may serve others. No is_seen: all are.
+  /// likely enough, or not seen; its samples may serve others. No is_seen, or any confidence will do: all are.
   void conclude(const IsSeen& is_seen = nullptr);
 
   /// What samples may stray.

@@ -170,7 +170,7 @@ bool Verification::refuseUnlikely() {
 
 /// A tube through the edge of a table, or a cone over three things, may be as likely on the samples as what is there.
 bool Verification::refuseUnseen(const IsSeen& is_seen) {
-  if (!is_seen) return false;
+  if (!is_seen || !(params_.min_confidence > 0.0)) return false;
   bool any = false;
   for (Segment& segment : segments_) {
     if (!hasAxis(kindOf(segment.candidate.shape)) || is_seen(segment)) continue;

@@ -36,14 +36,13 @@ kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_wid
   return task;
 }
 
-/// Of d by what its slope is above that of gentle planes, for what a camera errs sideways, as Nguyen et al. (noise.h)
-/// measured. The depth of a simulated Kinect that is not part of this has 3 times its usual noise at 76 deg to the
-/// view, 4.5 at 80, that of recorded walls 2.4 at 75; tolerated are three times 2.4, 5.6 and 1.4. Without it a third to
-/// five sixths of the samples of boxes' sides at 76 to 81 deg had no normal, and of 69 sides at 70 deg and more that
-/// the simulated Kinect saw 51 were found instead of 55 (test_steep_faces). Stronger noise is none that errs farther.
-float lateralTolerance(const PixelPitch& pitch, double noise_scale) {
+/// Of d by what its slope is above that of gentle planes (toleranceOf()), for what a camera errs sideways, as Nguyen et
+/// al. (noise.h) measured. Of walls at 75 deg to the view in recorded frames the depth has 2.4 times its noise. Without
+/// it sides of boxes at 76 to 81 deg lack many of their normals, and at 80 deg go missing (test_steep_faces). Needs the
+/// pitch.
+float lateralTolerance(const PixelPitch& pitch) {
   constexpr double kSideways = 2.0;  // px
-  return static_cast<float>(kTolerance * std::min(noise_scale, 1.0) * kSideways * pitch.u);
+  return static_cast<float>(kTolerance * kSideways * pitch.u);
 }
 
 /// Holds the centre's surface, of enough pixels.
@@ -146,7 +145,7 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
                                          const PixelPitch& pitch, double noise_scale) {
   if (!(center.z() > 0.0)) return std::nullopt;
   kernels::WindowTask task = taskAt(pixel, center, half_width, pitch, noise_scale);
-  task.tolerance_per_slope = lateralTolerance(pitch, noise_scale);
+  task.tolerance_per_slope = lateralTolerance(pitch);
   const kernels::PointImage points = {image.x.data(), image.y.data(), image.z.data(), image.width, image.height};
   const kernels::WindowPlane plane = kernels::loops().fitWindow(points, task);
   if (!usable(plane, task)) return std::nullopt;

@@ -108,7 +108,8 @@ double sigmaAt(double z, const NoiseParams& params, double fx) {
   return params.disparity_noise > 0.0 ? params.disparity_noise * z * z / (fx * params.baseline) : axialSigma(z);
 }
 
-/// By how much the depth changes from pixel to pixel (m) on the surface of each pixel: across an edge it does not tell.
+/// By how much the depth changes from pixel to pixel (m), to the neighbour that differs less where both saw something:
+/// on the pixel's own surface but for what is a pixel wide. 0 at the image's border.
 std::vector<float> stepsOf(const std::vector<float>& depth, const PinholeCamera& camera) {
   std::vector<float> steps(depth.size());
   const auto gentler = [&depth](std::size_t before, std::size_t i, std::size_t after) {

@@ -46,9 +46,9 @@ double quantizedDepth(double z, const NoiseParams& params, double fx);
 ///  - when its neighbour saw nothing;
 ///  - when its depth, exact or measured, is outside min_depth..max_depth;
 ///  - in shadows and blots, where params have any.
-/// Depends on (seed, frame_index) only, waves on seed only; without grain, a pixel's noise does not depend on the other
-/// pixels. With it, the noise of pixels d columns apart has the correlation 1 - d / grain. Throws std::invalid_argument
-/// when a parameter is out of its range or depth does not have the camera's size.
+/// Depends on (seed, frame_index) only, waves on seed only; without grain and sideways errors, a pixel's noise does not
+/// depend on the other pixels. With it, the noise of pixels d columns apart has the correlation 1 - d / grain. Throws
+/// std::invalid_argument when a parameter is out of its range or depth does not have the camera's size.
 void addNoise(const NoiseParams& params, const PinholeCamera& camera, std::uint64_t seed, std::uint64_t frame_index,
               std::vector<float>& depth);
 

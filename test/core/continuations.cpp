@@ -54,6 +54,8 @@ TEST(Continuations, AreNoPartOfATube) {
         ASSERT_TRUE(can) << "of all pixels there, a fifth take half of its confidence or more";
         EXPECT_GT(can->confidence, 0.95f) << ".65 to .8 with a tenth";
         EXPECT_NEAR(can->extent.size.z(), kLength, 0.007) << ".14 m and more";
+        const double half = 0.5 * can->extent.size.z() * std::abs(can->extent.rotation.col(2).y());
+        EXPECT_NEAR(can->extent.origin.y() + half, 0.5 * kLength, 0.0025) << "the other end is as it was";
         EXPECT_NEAR(can->inlier_count, 3700.0, 100.0);
       }
     }

@@ -44,6 +44,23 @@ TEST(WindowNormals, AreNotBentByTheSurfaceBehindAnEdge) {
   EXPECT_LT((found->direction + Vec3::UnitZ()).norm(), 1e-4);
 }
 
+TEST(WindowNormals, OfASmallWindowLeadNotOverAStep) {
+  // Two walls that face the camera, all of them measured: a steep plane leaves little of the step in nine pixels.
+  constexpr float kNear = 2.0f, kStep = 0.3f;
+  Cloud cloud;
+  cloud.reset(80, 60, false);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float u = (static_cast<float>(i % 80) - 39.5f) / 525.0f, v = (static_cast<float>(i / 80) - 29.5f) / 525.0f;
+    const float z = i % 80 < 40 ? kNear : kNear + kStep;
+    cloud.setPoint(i, u * z, v * z, z, {});
+  }
+  for (std::uint32_t column = 34; column < 46; ++column) {
+    const auto found = windowNormal(cloud, 30 * 80 + column, 4, {1.0f / 525.0f, 1.0f / 525.0f});
+    ASSERT_TRUE(found) << column;
+    EXPECT_LT(test::angle(found->direction, -Vec3::UnitZ()), 0.02) << column;
+  }
+}
+
 TEST(WindowNormals, AreMissingWhereThePixelStandsAlone) {
   Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   const std::size_t pixel = 60 * 160 + 80;

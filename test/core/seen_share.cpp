@@ -158,9 +158,36 @@ TEST_F(Can, ThatIsTakenForALongerOneIsSeenInAPartOfIt) {
   const SeenShare found = seen();
   EXPECT_NEAR(found.all, 1.0 / 1.6, kBorders);
   ASSERT_TRUE(found.part);
-  EXPECT_NEAR(found.part->high - found.part->low, length, 1.6 * length / 24.0) << "to one of 24 parts";
+  const bool up = can_.extent.rotation.col(2).y() < 0.0;
+  const double end = up ? found.part->high : -found.part->low, other = up ? found.part->low : -found.part->high;
+  EXPECT_NEAR(end + 0.5 * can_.extent.size.z(), length, 1.6 * length / 24.0) << "to one of 24 parts";
+  EXPECT_EQ(other, -std::numeric_limits<double>::infinity()) << "the other end is that of the extent";
   EXPECT_GT(found.in_part, 1.0 - 2.0 * kBorders);
   EXPECT_TRUE(isSeenSomewhere());
+}
+
+/// Its end is behind something nearer, and of the rest a fifth is not there: nobody knows where it ends.
+TEST_F(Can, WhoseEndIsHiddenIsNoShorterForThat) {
+  render(false);
+  const std::uint32_t first = pixels_.front() / cloud_.width, last = pixels_.back() / cloud_.width;
+  const List<std::uint32_t> all = pixels_;
+  const std::uint32_t rows = (last - first) / 6;
+  for (const bool upper : {true, false}) {
+    const Cloud whole = cloud_;
+    pixels_.clear();
+    for (std::uint32_t i = 0; i < cloud_.size(); ++i) {
+      const std::uint32_t row = i / cloud_.width;
+      if (upper ? row < first + rows : row > last - rows) cloud_.setPoint(i, 0.0f, 0.0f, 0.5f, {});
+    }
+    for (const std::uint32_t i : all) {
+      if (cloud_.z[i] != 0.5f) pixels_.push_back(i);
+    }
+    changeSome(0.2, [this](std::uint32_t i) { cloud_.z[i] += 0.1f; });
+    pixels_.push_back(upper ? all.front() : all.back());  // a straggler
+    EXPECT_LT(seen().all, 0.88);
+    EXPECT_FALSE(seen().part) << upper;
+    cloud_ = whole;
+  }
 }
 
 TEST_F(Can, InTattersIsASeenPartOfNothing) {

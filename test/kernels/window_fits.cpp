@@ -126,12 +126,13 @@ TEST(WindowFits, AgreeWithTheDefinitionInDouble) {
 
 TEST(WindowFits, TolerateMoreOfAPlaneTheSteeperItIs) {
   WindowTask task = {};
-  task.tolerance = 0.003f, task.tolerance_per_slope = 0.004f;
+  task.tolerance = 0.003f, task.tolerance_per_slope = 0.004f, task.largest_jump = 0.04f;
   const auto tolerated = [&task](double a, double b) { return toleranceOf(task, {a, b}); };
   EXPECT_FLOAT_EQ(tolerated(0.0, 0.0), 0.003f);
   EXPECT_FLOAT_EQ(tolerated(1.8, -2.4), 0.003f) << "a slope of 3";
   EXPECT_FLOAT_EQ(tolerated(0.0, 4.0), 0.005f);
   EXPECT_FLOAT_EQ(tolerated(-2.4, 3.2), 0.005f);
+  EXPECT_FLOAT_EQ(tolerated(0.0, 20.0), 0.04f) << "no more than parts surfaces";
 }
 
 TEST(WindowFits, TakeAllPixelsOfAPinholeImageOnlyWhereTheyAreOneSurface) {

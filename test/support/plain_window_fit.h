@@ -46,7 +46,8 @@ kernels::WindowPlane plainPass(const kernels::PointImage& image, const kernels::
 /// What is tolerated about a plane; steep: above a slope of 3.
 inline double plainTolerance(const kernels::WindowTask& task, const kernels::WindowPlane& plane) {
   const double steeper = std::max(std::hypot(plane.a, plane.b) - 3.0, 0.0);
-  return std::hypot(task.tolerance, task.tolerance_per_slope * steeper);
+  if (steeper == 0.0) return task.tolerance;
+  return std::min<double>(std::hypot(task.tolerance, task.tolerance_per_slope * steeper), task.largest_jump);
 }
 
 /// Sum of d minus the plane's, squared, over all pixels of the window; NaN where one is missing.
@@ -66,7 +67,7 @@ inline kernels::WindowPlane plainWindowFit(const kernels::PointImage& image, con
   const auto measured = [](double, double, double d) { return d == d; };
   if (task.u_per_column != 0.0f) {
     const kernels::WindowPlane plane = plainPass(image, task, reach, measured);
-    if (leftOver(image, task, plane) < plane.used * std::pow(0.42 * plainTolerance(task, plane), 2)) return plane;
+    if (leftOver(image, task, plane) < plane.used * std::pow(0.42 * task.tolerance, 2)) return plane;
   }
   const auto near = [&](double, double, double d) { return std::abs(d) < task.largest_jump; };
   const kernels::WindowPlane start = plainPass(image, task, static_cast<int>(task.inner_half_width), near);

@@ -213,25 +213,31 @@ TEST(SensorNoise, PixelsGoMissingJustWhereAPlaneIsSeenAtMoreThan80Degrees) {
 TEST(SensorNoise, SidewaysIsThatManyPixelsOfASlant) {
   NoiseParams params = noNoise();
   params.sideways = 0.5;
-  World world;
-  const Eigen::Isometry3d slanted = Eigen::Isometry3d(Eigen::AngleAxisd(75.0 * M_PI / 180.0, Vec3::UnitY()));
-  world.add("slanted", Sheet{0.4, 0.3}, Eigen::Translation3d(0.2, 0.0, 1.0) * slanted);
-  world.add("facing", Sheet{5.0, 5.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 2.0)));
-  Rendering rendering;
-  render(world, kCamera, kAtOrigin, rendering);
-  std::vector<float> depth = rendering.depth;
-  addNoise(params, kCamera, 7, 3, depth);
-  double count = 0.0, squares = 0.0;
-  for (std::size_t i = 1; i + 1 < depth.size(); ++i) {
-    if (rendering.depth[i] == 2.0f) {
-      ASSERT_EQ(depth[i], 2.0f) << "no slant, and no step to what lies before it";
+  for (const bool down : {false, true}) {
+    World world;
+    const Vec3 tilt_axis = down ? Vec3::UnitX().eval() : Vec3::UnitY().eval();
+    world.add("slanted", Sheet{0.4, 0.4},
+              Eigen::Translation3d(0.0, 0.0, 1.0) * Eigen::AngleAxisd(70.0 * M_PI / 180.0, tilt_axis));
+    world.add("facing", Sheet{5.0, 5.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 2.0)));
+    Rendering rendering;
+    render(world, kCamera, kAtOrigin, rendering);
+    std::vector<float> depth = rendering.depth;
+    addNoise(params, kCamera, 7, 3, depth);
+    const std::size_t stride = down ? static_cast<std::size_t>(kCamera.width) : 1;
+    double count = 0.0, squares = 0.0;
+    for (std::size_t i = stride; i + stride < depth.size(); ++i) {
+      if (rendering.depth[i] == 2.0f) {
+        ASSERT_EQ(depth[i], 2.0f) << "no slant, and no step to what lies before it";
+      }
+      if (rendering.surface[i - stride] != 0 || rendering.surface[i] != 0 || rendering.surface[i + stride] != 0) {
+        continue;
+      }
+      const float step = 0.5f * (rendering.depth[i + stride] - rendering.depth[i - stride]);
+      count += 1.0, squares += std::pow((depth[i] - rendering.depth[i]) / step, 2);
     }
-    if (rendering.surface[i - 1] != 0 || rendering.surface[i] != 0 || rendering.surface[i + 1] != 0) continue;
-    const float step = 0.5f * (rendering.depth[i + 1] - rendering.depth[i - 1]);
-    count += 1.0, squares += std::pow((depth[i] - rendering.depth[i]) / step, 2);
+    ASSERT_GT(count, 5000.0);
+    EXPECT_NEAR(std::sqrt(squares / count), 0.5, 0.02) << down;
   }
-  ASSERT_GT(count, 5000.0);
-  EXPECT_NEAR(std::sqrt(squares / count), 0.5, 0.02);
 }
 
 TEST(SensorNoise, BothSidesOfADepthEdgeGoMissingAndNothingElse) {
