@@ -26,6 +26,7 @@
 #include "core/shared_noise.h"
 #include "core/strip.h"
 #include "core/thin_ends.h"
+#include "core/tube_gaps.h"
 #include "kernels/loops.h"
 
 namespace primitect {
@@ -243,8 +244,7 @@ double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& 
   if (!seen.part || !noise_.ofDepthCamera()) return seen.all;
   List<std::uint32_t> in_part;
   for (const std::uint32_t i : index) {
-    const double height = (cloud_.point(i) - detection.extent.origin).dot(detection.extent.rotation.col(2));
-    if (seen.part->holds(static_cast<float>(height))) in_part.push_back(i);
+    if (seen.part->holds(heightOn(detection, cloud_, i))) in_part.push_back(i);
   }
   if (static_cast<double>(in_part.size()) < kMost * static_cast<double>(index.size())) return seen.all;
   std::swap(kept, in_part);
