@@ -41,13 +41,15 @@ def bytes_of(message):
 
 
 class Launched:
-    """A launch file that runs while the with block does."""
+    """A launch file that runs while the with block does, started in a folder as a shell does it."""
 
-    def __init__(self, *arguments):
+    def __init__(self, *arguments, folder="/"):
         self._arguments = arguments
+        self._folder = folder
 
     def __enter__(self):
-        self._process = subprocess.Popen(["roslaunch", "--wait", "primitect", *self._arguments])
+        self._process = subprocess.Popen(["roslaunch", "--wait", "primitect", *self._arguments], cwd=self._folder,
+                                         env=dict(os.environ, PWD=self._folder))
 
     def __exit__(self, *_):
         self._process.send_signal(signal.SIGINT)
@@ -66,8 +68,9 @@ class Bags(unittest.TestCase):
         return collector
 
     def test_of_clouds_are_processed_and_started_anew_when_time_jumps_back(self):
-        path = os.path.join(self.folder, "clouds.bag")
-        write_bag(path)
+        folder = os.path.join(self.folder, "of two words")
+        os.mkdir(folder)
+        write_bag(os.path.join(folder, "clouds.bag"))
         primitives = self.collect("/looped/primitives", PrimitiveArray)
         markers = self.collect("/looped/markers", MarkerArray)
 
@@ -77,7 +80,8 @@ class Bags(unittest.TestCase):
 
         def cleared():
             return [a for a in markers.all() if a.markers[0].action == Marker.DELETEALL]
-        with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=looped", "loop:=true", "delay:=2"):
+        with Launched("bag.launch", "bag:=clouds.bag", "input:=/sensor/points", "name:=looped", "loop:=true", "delay:=2",
+                      folder=folder):
             self.assertTrue(wait_for(lambda: jumps() and len(cleared()) >= 2))
         for message in primitives.all():
             self.assertIn(message.header.stamp.secs, (FIRST_STAMP, FIRST_STAMP + 1))

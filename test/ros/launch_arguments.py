@@ -4,8 +4,10 @@
 """What launch files make of their arguments: parameters of the detector, and which of its two files RViz is given."""
 import os
 import subprocess
+import tempfile
 import unittest
 
+import rosbag
 import yaml
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
@@ -31,8 +33,18 @@ def config(name):
         return yaml.safe_load(file)
 
 
-FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=/a.bag"),
-         ("bag.launch", "bag:=/a.bag", "depth:=/camera/depth/image_raw"))
+FOLDER = tempfile.TemporaryDirectory()
+BAG = os.path.join(FOLDER.name, "a.bag")
+FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=" + BAG),
+         ("bag.launch", "bag:=" + BAG, "depth:=/camera/depth/image_raw"))
+
+
+def setUpModule():
+    rosbag.Bag(BAG, "w").close()
+
+
+def tearDownModule():
+    FOLDER.cleanup()
 
 
 class LaunchParameters(unittest.TestCase):
@@ -44,6 +56,17 @@ class LaunchParameters(unittest.TestCase):
             found = parameters(*file, *("%s:=%s" % item for item in told.items()))
             for name, value in told.items():
                 self.assertEqual(found["/detector/" + name], value, file)  # by default it is another one
+
+
+class LaunchedBag(unittest.TestCase):
+    def refused(self, bag):
+        with self.assertRaises(ValueError) as refused:
+            roslaunch("bag.launch", "bag:=" + bag)
+        return str(refused.exception)
+
+    def test_that_is_missing_or_none_is_refused_at_once(self):
+        self.assertIn("No such file", self.refused("missing.bag"))
+        self.assertIn("does not appear to be a bag", self.refused(os.path.join(ROOT, "README.md")))
 
 
 class LaunchViews(unittest.TestCase):
