@@ -240,7 +240,7 @@ double Measurement::leaveOutThinEnds(const Shape& shape) {
 /// points are: kept becomes these. Returns the share of it that is seen.
 double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept) {
   constexpr double kMost = 0.7;
-  const SeenShare seen = seenShare(detection, index, cloud_, rays_, range_, sigma_);
+  const SeenShare seen = seenShare(detection, index, {cloud_, rays_, range_, sigma_});
   if (!seen.part || !noise_.ofDepthCamera()) return seen.all;
   List<std::uint32_t> in_part;
   for (const std::uint32_t i : index) {

@@ -28,13 +28,12 @@ template <class T>
 class Looking {
  public:
   /// middle: m, a depth of the surface
-  Looking(const T& shape, double middle, const Cloud& cloud, const ImageRays& rays, const DepthRange& range,
-          const PointNoise& sigma)
-      : shape_(shape), middle_(middle), cloud_(cloud), rays_(rays), range_(range), sigma_(sigma) {}
+  Looking(const T& shape, double middle, const AskedImage& image)
+      : shape_(shape), middle_(middle), image_(image), cloud_(image.cloud) {}
 
   Sight at(int column, int row, const Vec3& expected) const {
     const std::size_t i = index(column, row);
-    const double sigma = sigma_(expected);
+    const double sigma = image_.sigma(expected);
     if (nearBound(expected, sigma)) return Sight::unknown;
     if (cloud_.isBeyond(i)) return Sight::behind;
     if (!cloud_.valid(i)) return inGap(column, row, expected, sigma);
@@ -60,7 +59,7 @@ class Looking {
   /// Noise takes points beyond a bound, where they are missing.
   bool nearBound(const Vec3& expected, double sigma) const {
     constexpr double kDeviations = 3.0;
-    return range_.endsWithin(kDeviations * sigma, expected.z());
+    return image_.range.endsWithin(kDeviations * sigma, expected.z());
   }
 
   /// The measured pixels on either side of a gap in a row or a column; 0: none.
@@ -89,15 +88,15 @@ class Looking {
   bool showsSurface(int column, int row) const {
     constexpr double kClearly = 1.5;  // standard deviations, along the ray
     const std::size_t i = index(column, row);
-    const std::optional<double> z = depthOn(shape_, rays_.through(column, row), middle_);
-    return z && std::abs(cloud_.z[i] - *z) < kClearly * sigma_(cloud_.point(i));
+    const std::optional<double> z = depthOn(shape_, image_.rays.through(column, row), middle_);
+    return z && std::abs(cloud_.z[i] - *z) < kClearly * image_.sigma(cloud_.point(i));
   }
 
   /// What is dark or glossy has holes, with its surface on both sides. Clutter in tatters has something nearer or
   /// farther beside them.
   bool isBlot(const Gap& gap, int column, int row, int right, int down) const {
     constexpr double kWidest = 60.0;  // px, of usual images
-    return gap.hasBoth() && gap.width() <= kWidest * shareOfUsualWindows(rays_) &&
+    return gap.hasBoth() && gap.width() <= kWidest * shareOfUsualWindows(image_.rays) &&
            showsSurface(column - gap.before * right, row - gap.before * down) &&
            showsSurface(column + gap.after * right, row + gap.after * down);
   }
@@ -118,16 +117,14 @@ class Looking {
   bool isShadow(int column, int row, int width, const Vec3& expected, double sigma) const {
     constexpr double kBaseline = 0.08;  // m, from the projector, or the second camera, to the camera: seldom more
     const std::size_t i = index(column, row);
-    const double widest = kBaseline / std::abs(rays_.x_scale) * (1.0 / cloud_.z[i] - 1.0 / expected.z());
+    const double widest = kBaseline / std::abs(image_.rays.x_scale) * (1.0 / cloud_.z[i] - 1.0 / expected.z());
     return hides(i, expected, sigma) && width <= widest + 2.0;
   }
 
   const T& shape_;
   double middle_;
-  const Cloud& cloud_;
-  const ImageRays& rays_;
-  const DepthRange& range_;
-  const PointNoise& sigma_;
+  const AskedImage& image_;
+  const Cloud& cloud_;  // of the image
 };
 
 /// The box around some pixels.
@@ -272,17 +269,17 @@ class CountsAlong {
 };
 
 template <class T>
-CountsAlong countOn(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                    const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+CountsAlong countOn(const T& shape, const Detection& detection, const List<std::uint32_t>& pixels,
+                    const AskedImage& image) {
   constexpr double kProbes = 2000.0;  // of the box: even a tube across it gets some hundred
   const ObservedPart part(detection.shape, detection.extent);
   const auto on = opened(shape);
-  const double middle = cloud.z[pixels[pixels.size() / 2]];
-  const Looking looking(on, middle, cloud, rays, range, sigma);
+  const double middle = image.cloud.z[pixels[pixels.size() / 2]];
+  const Looking looking(on, middle, image);
   double nearby = middle;
   CountsAlong count(detection.extent);
   const auto lookAt = [&](int column, int row) {
-    const Vec3 ray = rays.through(column, row);
+    const Vec3 ray = image.rays.through(column, row);
     const std::optional<double> z = depthOn(on, ray, nearby);
     nearby = middle;
     if (!z) return;
@@ -293,32 +290,31 @@ CountsAlong countOn(const T& shape, const Detection& detection, const List<std::
     if (part.depth(flat.x(), flat.y(), flat.z()) < 0.0f) return;
     count.add(point, looking.at(column, row, point));
   };
-  Box(pixels, cloud.width).forPlaces(kProbes, lookAt, [&count] { return count.all().settled(); });
+  Box(pixels, image.cloud.width).forPlaces(kProbes, lookAt, [&count] { return count.all().settled(); });
   return count;
 }
 
 /// Nothing for other kinds, and where there are too few places to tell.
-std::optional<CountsAlong> countAt(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                                   const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
-  if (!rays.known || pixels.empty()) return std::nullopt;
+std::optional<CountsAlong> countAt(const Detection& detection, const List<std::uint32_t>& pixels,
+                                   const AskedImage& image) {
+  if (!image.rays.known || pixels.empty()) return std::nullopt;
   std::optional<CountsAlong> count;
   if (const Cylinder* tube = std::get_if<Cylinder>(&detection.shape)) {
-    count = countOn(*tube, detection, pixels, cloud, rays, range, sigma);
+    count = countOn(*tube, detection, pixels, image);
   } else if (const Cone* cone = std::get_if<Cone>(&detection.shape)) {
-    count = countOn(*cone, detection, pixels, cloud, rays, range, sigma);
+    count = countOn(*cone, detection, pixels, image);
   }
   return count && count->all().enough() ? count : std::nullopt;
 }
 
 }  // namespace
 
-SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                    const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const AskedImage& image) {
   // Of the places in what is no more of a tube or cone there is a third at most on other surfaces by chance. With .6
   // clutter that a stereo camera sees carries .21 false curved shapes a frame instead of .17 (compare --set clutter
   // --sensor stereo --seeds 5200:40 --algorithm-seeds 1,2).
   constexpr double kByChance = 0.35;
-  const std::optional<CountsAlong> count = countAt(detection, pixels, cloud, rays, range, sigma);
+  const std::optional<CountsAlong> count = countAt(detection, pixels, image);
   if (!count) return {};
   const double all = count->all().share();
   if (all >= kFullTrust) return {all, std::nullopt, all};
@@ -327,18 +323,16 @@ SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixel
   return {all, count->along(run), run.count.share()};
 }
 
-bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                     const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
+bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const AskedImage& image) {
   constexpr double kLeast = 0.2;
-  const std::optional<CountsAlong> count = countAt(detection, pixels, cloud, rays, range, sigma);
+  const std::optional<CountsAlong> count = countAt(detection, pixels, image);
   if (!count || count->all().share() > kNoTrust) return true;
   const Count best = count->bestRun(kNoTrust).count;
   return best.share() > kNoTrust && best.asked() >= kLeast * count->all().asked();
 }
 
-double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                   const ImageRays& rays, const DepthRange& range, const PointNoise& sigma) {
-  const std::optional<CountsAlong> count = countAt(detection, pixels, cloud, rays, range, sigma);
+double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const AskedImage& image) {
+  const std::optional<CountsAlong> count = countAt(detection, pixels, image);
   return count ? count->all().of(count->all().behind) : 0.0;
 }
 

@@ -15,6 +15,14 @@
 
 namespace primitect {
 
+/// The image that is asked what it shows.
+struct AskedImage {
+  const Cloud& cloud;
+  const ImageRays& rays;
+  const DepthRange& range;  ///< outside of it, points of this cloud were made missing
+  const PointNoise& sigma;  ///< m, noise of the distance to a surface, at a point
+};
+
 /// How much of a cylinder or cone is seen, [0, 1].
 struct SeenShare {
   double all = 1.0;  ///< of what was observed of it
@@ -28,23 +36,19 @@ struct SeenShare {
 /// A ninth of them is asked where that settles that nearly all of it is seen, else more. Blots with the surface on both
 /// sides count a quarter, other holes half. Not asked are places that something nearer hides, with the shadow beside
 /// it, single missing pixels, those between which and the border of the image nothing is measured, those at the limb,
-/// and those at a bound of the depth. pixels: points of the cloud on the shape; range: outside of it, points of this
-/// cloud were made missing; sigma(p): m, noise of the distance to a surface. 1 of planes and spheres, whose extent does
-/// not tell where they end, of clouds that are no image, and where there are too few places to tell.
-SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                    const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+/// and those at a bound of the depth. pixels: points of the cloud on the shape. 1 of planes and spheres, whose extent
+/// does not tell where they end, of clouds that are no image, and where there are too few places to tell.
+SeenShare seenShare(const Detection& detection, const List<std::uint32_t>& pixels, const AskedImage& image);
 
 /// Whether any confidence is left in the shape by this share, or by that of one part along the axis with a fifth of the
 /// places or more: the shape may lead through several things, with gaps between them. True where nothing tells, as
 /// above.
-bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                     const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+bool isSeenSomewhere(const Detection& detection, const List<std::uint32_t>& pixels, const AskedImage& image);
 
 /// Of the same places, the share at which the image shows what lies clearly behind the surface, also beyond the far
 /// bound of the depth; 0 where there are too few to tell, and where seenShare() is 1 for all shapes. What is a little
 /// nearer, or a hole, is not behind.
-double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const Cloud& cloud,
-                   const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+double behindShare(const Detection& detection, const List<std::uint32_t>& pixels, const AskedImage& image);
 
 /// What is left of the confidence in a shape of which only this share is seen. Real tubes and cups of recorded frames
 /// are seen to 0.9 and more in spite of the holes of glossy surfaces; what was taken for one in clutter seldom to 0.85.

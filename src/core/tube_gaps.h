@@ -7,8 +7,7 @@
 
 #include "core/axis_extent.h"
 #include "core/frame_memory.h"
-#include "core/image_rays.h"
-#include "core/point_noise.h"
+#include "core/seen_share.h"
 #include "primitect/cloud.h"
 #include "primitect/primitives.h"
 
@@ -16,9 +15,8 @@ namespace primitect {
 
 /// The parts of a cylinder or cone, in rising order, between which the image of a depth camera shows what lies behind
 /// where the surface would be. A gap that something hides parts nothing: a pipe goes on behind a post. pixels: its
-/// points, in any order; range, sigma: as for behindShare(). One part where there is no such gap, none without points.
-List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const Cloud& image,
-                           const ImageRays& rays, const DepthRange& range, const PointNoise& sigma);
+/// points, in any order. One part where there is no such gap, none without points.
+List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pixels, const AskedImage& image);
 
 /// Where the point lies along the tube's axis (m, from the extent's origin).
 inline float heightOn(const Detection& tube, const Cloud& cloud, std::uint32_t i) {

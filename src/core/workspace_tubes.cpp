@@ -44,7 +44,7 @@ bool Detector::Workspace::isSeen(const Segment& tube, const Cloud& cloud) {
   List<std::uint32_t> pixels;
   for (const std::uint32_t i : tube.inliers) pixels.push_back(verification.samples().index[i]);
   const PointNoise sigma(verification.fullNoise());
-  return isSeenSomewhere(found, pixels, cloud, raysOf(cloud, normal_source), depthRangeOf(params), sigma);
+  return isSeenSomewhere(found, pixels, {cloud, raysOf(cloud, normal_source), depthRangeOf(params), sigma});
 }
 
 /// The first part that has enough points keeps the label, each other one gets one of its own. Parts with fewer are of
@@ -96,10 +96,11 @@ void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& ra
   if (!depth_camera || !rays.known) return;
   const PointNoise sigma(verification.fullNoise());
   const DepthRange range = depthRangeOf(params);
+  const AskedImage image{thinned.cloud(), rays, range, sigma};
   bool any = false;
   for (std::size_t k = 0, count = result.items.size(); k < count; ++k) {
     if (!kept[k] || !hasAxis(kindOf(result.items[k].shape))) continue;
-    const List<AxisPart> parts = partsOfTube(result.items[k], points[k].index, thinned.cloud(), rays, range, sigma);
+    const List<AxisPart> parts = partsOfTube(result.items[k], points[k].index, image);
     if (parts.size() > 1 && giveToParts(parts, k, whole, runs)) any = true;
   }
   if (!any) return;

@@ -92,8 +92,8 @@ class Can : public testing::Test {
 
   double share() { return seen().all; }
 
-  SeenShare seen() { return seenShare(can_, pixels_, cloud_, rays_, range_, sigma()); }
-  bool isSeenSomewhere() { return primitect::isSeenSomewhere(can_, pixels_, cloud_, rays_, range_, sigma()); }
+  SeenShare seen() { return seenShare(can_, pixels_, {cloud_, rays_, range_, sigma()}); }
+  bool isSeenSomewhere() { return primitect::isSeenSomewhere(can_, pixels_, {cloud_, rays_, range_, sigma()}); }
 
   PointNoise sigma() {
     return [this](const Vec3& p) {

@@ -127,7 +127,7 @@ List<AxisPart> partsOver(const synthetic::World& world, double half, double miss
     const bool above = (pose.inverse() * point).z() > 0.01;
     if (on && above && std::abs(heightOn(tube, cloud, i)) < half) pixels.push_back(i);
   }
-  return partsOfTube(tube, pixels, cloud, findRays(cloud), {0.1f, 2.0f}, sigma);
+  return partsOfTube(tube, pixels, {cloud, findRays(cloud), {0.1f, 2.0f}, sigma});
 }
 
 TEST(TubeGaps, AreLengthsThatShowWhatLiesBehind) {
@@ -152,7 +152,7 @@ TEST(TubeGaps, AreNoneWithoutPoints) {
   const PointNoise sigma([](const Vec3&) { return 0.001; });
   Detection tube;
   tube.shape = Cylinder{Vec3::UnitZ(), Vec3::UnitX(), kRadius};
-  EXPECT_TRUE(partsOfTube(tube, {}, Cloud(), {}, {}, sigma).empty());
+  EXPECT_TRUE(partsOfTube(tube, {}, {Cloud(), {}, {}, sigma}).empty());
 }
 
 }  // namespace
