@@ -17,4 +17,5 @@ endforeach()
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
 install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(PROGRAMS scripts/check_bag DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/scripts)  # launch files run it
 catkin_install_python(PROGRAMS scripts/live_table scripts/rviz_in_frame DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -3,14 +3,13 @@
 // Starts, subscribes while someone listens, processes, publishes what is listened to.
 #include "detector_nodelet.h"
 
-#include <ros/master.h>
-
 #include <iomanip>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "messages.h"
 #include "primitect/kernel_choice.h"
+#include "silence.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -101,6 +100,7 @@ void DetectorNodelet::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
 }
 
 void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
+  warnIfIncomplete(cloud.header);
   startAnewIfTimeWentBack(cloud.header.stamp);
   diagnostics_->frameReceived(cloud.header.stamp);
   with_labels_ = labels_.getNumSubscribers() > 0;
@@ -173,6 +173,15 @@ void DetectorNodelet::tellFoundCamera() {
                                 << ") m; sensor_frame would say it");
 }
 
+void DetectorNodelet::warnIfIncomplete(const std_msgs::Header& header) {
+  if (told_incomplete_ || !(header.frame_id.empty() || header.stamp.isZero())) return;
+  told_incomplete_ = true;
+  NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " have no "
+                                << (header.frame_id.empty()
+                                        ? "frame_id: neither RViz nor tf can tell where they are"
+                                        : "stamp: neither tf nor tracks can tell when they are from"));
+}
+
 void DetectorNodelet::warnIfHopeless() {
   const LatencyGovernor* governor = pipeline().governor();
   if (!governor || !governor->hopeless() || told_hopeless_) return;
@@ -180,39 +189,6 @@ void DetectorNodelet::warnIfHopeless() {
   NODELET_WARN_STREAM(getName() << ": even with the fewest samples frames take longer than max_latency, "
                                 << governor->bound() << " s");
 }
-
-namespace {
-
-/// Of what is published there, as the master knows it; empty when nothing is. Nothing where there is no master:
-/// ros::master::getTopics() would wait until there is one.
-std::optional<std::string> typeOf(const std::string& topic) {
-  constexpr bool kWait = false;
-  XmlRpc::XmlRpcValue arguments, response, topics;
-  arguments[0] = ros::this_node::getName();
-  arguments[1] = "";
-  if (!ros::master::execute("getPublishedTopics", arguments, response, topics, kWait)) return std::nullopt;
-  for (int k = 0; k < topics.size(); ++k) {
-    if (std::string(topics[k][0]) == topic) return std::string(topics[k][1]);
-  }
-  return "";
-}
-
-std::string whySilent(const std::string& topic, std::uint32_t publishers, bool came_before) {
-  if (came_before) return publishers > 0 ? "its publisher sends no more" : "its publisher is gone";
-  if (publishers > 0) {
-    return "of its " + std::to_string(publishers) + (publishers == 1 ? " publisher" : " publishers") +
-           " none sent any; one that makes it of a depth image needs camera_info, too";
-  }
-  const std::optional<std::string> known = typeOf(topic);
-  if (!known) return "and the ROS master does not answer";
-  const std::string &type = *known, wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
-  if (type.empty() || type == wanted)
-    return "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)";
-  const bool image = type == "sensor_msgs/Image";
-  return "it is a " + type + ", not a " + wanted + (image ? " (depth_image.launch takes depth:=TOPIC)" : "");
-}
-
-}  // namespace
 
 void DetectorNodelet::warnIfSilent() {
   const bool silent = diagnostics_->silent();

@@ -42,6 +42,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   void processCloud(const sensor_msgs::PointCloud2& cloud);
   void publish(const PrimitiveArray& message);
   /// Once, or once more after parameters changed.
+  void warnIfIncomplete(const std_msgs::Header& header);
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
   void warnIfNotSeenFromOrigin();
@@ -69,6 +70,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   bool told_assumed_origin_ = false;
   bool told_found_camera_ = false;
   bool told_silent_ = false;
+  bool told_incomplete_ = false;
   Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0}, jump_warning_{10.0};
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;

@@ -6,10 +6,12 @@ import io
 import math
 import os
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 import rosbag
 import rospkg
@@ -17,6 +19,8 @@ import rospy
 import rostest
 from primitect.msg import Primitive, PrimitiveArray
 from ros_helpers import Collector, cloud_message, wait_for, wall_and_ball
+from sensor_msgs.msg import CameraInfo, CompressedImage
+from rosgraph_msgs.msg import Log
 from visualization_msgs.msg import Marker, MarkerArray
 
 FIRST_STAMP = 1000
@@ -32,6 +36,32 @@ def write_bag(path, frames=8):
         for frame in range(frames):
             stamp = rospy.Time(FIRST_STAMP, 250000000 * (frame % 4)) + rospy.Duration(frame // 4)
             bag.write("/sensor/points", cloud_message(*points, stamp=stamp), stamp)
+
+
+def png(values, width):
+    """Of one channel of 16 bits."""
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    rows = [b"\0" + struct.pack(">%dH" % width, *values[k:k + width]) for k in range(0, len(values), width)]
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, len(rows), 16, 0, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b""))
+
+
+def write_packed_bag(path, frames=8):
+    """The same wall and ball as compressed depth images; their camera_info is not beside them."""
+    points, width, height = wall_and_ball()
+    image = CompressedImage(format="16UC1; compressedDepth png")
+    image.data = bytes(12) + png([round(1000 * z) for _, _, z in points], width)
+    info = CameraInfo(width=width, height=height)
+    info.K = [140, 0, (width - 1) / 2, 0, 140, (height - 1) / 2, 0, 0, 1]
+    info.P = info.K[:3] + [0] + info.K[3:6] + [0] + info.K[6:] + [0]
+    with rosbag.Bag(path, "w") as bag:
+        for frame in range(frames):
+            for message in image, info:
+                message.header.stamp = rospy.Time(FIRST_STAMP, 100000000 * frame)
+                message.header.frame_id = "camera"
+            bag.write("/lens/depth/compressedDepth", image, image.header.stamp)
+            bag.write("/elsewhere/info", info, info.header.stamp)
 
 
 def bytes_of(message):
@@ -111,6 +141,35 @@ class Bags(unittest.TestCase):
             one.header.seq = other.header.seq = 0
             one.processing_time = other.processing_time = 0.0
             self.assertEqual(bytes_of(one), bytes_of(other))
+
+    def test_of_compressed_depths_are_unpacked_with_the_camera_info_that_is_named(self):
+        write_packed_bag(os.path.join(self.folder, "packed.bag"))
+        primitives = self.collect("/unpacked/primitives", PrimitiveArray)
+        with Launched("bag.launch", "bag:=packed.bag", "depth:=/lens/depth/compressedDepth", "camera_info:=/elsewhere/info",
+                      "name:=unpacked", "loop:=true", "delay:=2", folder=self.folder):
+            self.assertTrue(wait_for(lambda: len(primitives.all()) >= 3))
+        for message in primitives.all():
+            radii = [p.radius for p in message.primitives if p.type == Primitive.SPHERE]
+            self.assertEqual(len(radii), 1)
+            self.assertAlmostEqual(radii[0], 0.1, delta=0.003)
+
+    def test_whose_topic_is_misspelt_say_what_nobody_publishes(self):
+        write_packed_bag(os.path.join(self.folder, "packed.bag"))
+        log = self.collect("/rosout", Log)
+        self.collect("/misspelt/primitives", PrimitiveArray)
+
+        def told():
+            return [entry.msg for entry in log.all() if entry.msg.startswith("/misspelt: no cloud on ")]
+        with Launched("bag.launch", "bag:=packed.bag", "depth:=/lens/depth", "name:=misspelt", "loop:=true", "delay:=2",
+                      folder=self.folder):
+            self.assertTrue(wait_for(told))
+        self.assertIn("none sent any: /lens/depth is published compressed only (depth:=/lens/depth/compressedDepth)",
+                      told()[0])
+        with Launched("bag.launch", "bag:=packed.bag", "depth:=/lens/dept/compressedDepth", "name:=misspelt", "delay:=2",
+                      folder=self.folder):
+            self.assertTrue(wait_for(lambda: len(told()) >= 2))
+        self.assertIn("none sent any: it waits for ", told()[1])
+        self.assertIn("/lens/dept/compressedDepth", told()[1])
 
     def test_of_a_depth_camera_show_the_ball(self):
         if not os.path.exists(RECORDED):

@@ -8,7 +8,9 @@ import tempfile
 import unittest
 
 import rosbag
+import rospy
 import yaml
+from sensor_msgs.msg import PointCloud2
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
@@ -20,6 +22,13 @@ def roslaunch(file, *arguments):
     if done.returncode != 0:
         raise ValueError(done.stderr)
     return done.stdout
+
+
+def words(file, *arguments):
+    """What it says beside that."""
+    command = ["roslaunch", "--args", "/detector", os.path.join(ROOT, "launch", file)]
+    return subprocess.run(command + list(arguments), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
+                          check=True).stderr
 
 
 def parameters(file, *arguments):
@@ -40,7 +49,8 @@ FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=" +
 
 
 def setUpModule():
-    rosbag.Bag(BAG, "w").close()
+    with rosbag.Bag(BAG, "w") as bag:
+        bag.write("/lens/points", PointCloud2(), rospy.Time(1))
 
 
 def tearDownModule():
@@ -67,6 +77,11 @@ class LaunchedBag(unittest.TestCase):
     def test_that_is_missing_or_none_is_refused_at_once(self):
         self.assertIn("No such file", self.refused("missing.bag"))
         self.assertIn("does not appear to be a bag", self.refused(os.path.join(ROOT, "README.md")))
+
+    def test_without_the_topic_tells_what_it_has(self):
+        self.assertIn("bag.launch: no /wrong in the bag, which has /lens/points (sensor_msgs/PointCloud2)",
+                      words("bag.launch", "bag:=" + BAG, "input:=wrong"))
+        self.assertNotIn("in the bag", words("bag.launch", "bag:=" + BAG, "input:=/lens/points"))
 
 
 class LaunchViews(unittest.TestCase):

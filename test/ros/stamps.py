@@ -49,6 +49,20 @@ class Stamps(unittest.TestCase):
         self.assertEqual(logged("time went back"), [Log.INFO] * 2)
         self.assertEqual(logged("stamps on /clouds go back again and again"), [Log.WARN])
 
+    def test_that_are_missing_are_told_once(self):
+        log = Collector("/rosout", Log)
+        detector = Detector("/clouds")
+        self.assertTrue(detector.ready())
+        points, width, height = wall_and_ball(width=40, height=30)
+
+        def told():
+            return [entry.msg for entry in log.all() if " have no " in entry.msg]
+        for seconds in 0, 0, 1:
+            self.assertIsNotNone(detector.ask(cloud_message(points, width, height, stamp=rospy.Time(seconds))))
+        self.assertTrue(wait_for(told))
+        self.assertEqual(len(told()), 1)
+        self.assertIn(": clouds on /clouds have no stamp: ", told()[0])
+
 
 if __name__ == "__main__":
     rospy.init_node("stamps")

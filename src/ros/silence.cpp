@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Asks the master; see silence.h.
+#include "silence.h"
+
+#include <ros/master.h>
+#include <ros/this_node.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace primitect::ros_layer {
+namespace {
+
+/// ros::master::getTopics() would wait until there is a master.
+bool askMaster(const std::string& method, XmlRpc::XmlRpcValue arguments, XmlRpc::XmlRpcValue& answer) {
+  constexpr bool kWait = false;
+  XmlRpc::XmlRpcValue response;
+  arguments[0] = ros::this_node::getName();
+  return ros::master::execute(method, arguments, response, answer, kWait);
+}
+
+/// Of what is published there; empty when nothing is. Nothing where there is no master.
+std::optional<std::string> typeOf(const std::string& topic) {
+  XmlRpc::XmlRpcValue arguments, topics;
+  arguments[1] = "";  // below any namespace
+  if (!askMaster("getPublishedTopics", arguments, topics)) return std::nullopt;
+  for (int k = 0; k < topics.size(); ++k) {
+    if (std::string(topics[k][0]) == topic) return std::string(topics[k][1]);
+  }
+  return "";
+}
+
+/// Which nodes publish a topic, or subscribe to it.
+struct Connections {
+  std::string topic;
+  std::set<std::string> nodes;
+};
+
+std::vector<Connections> connectionsOf(XmlRpc::XmlRpcValue& list) {
+  std::vector<Connections> result;
+  for (int k = 0; k < list.size(); ++k) {
+    Connections one{std::string(list[k][0]), {}};
+    for (int n = 0; n < list[k][1].size(); ++n) one.nodes.insert(std::string(list[k][1][n]));
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+/// What the publishers of the topic wait for in vain: topics that they subscribe to and nobody publishes. Time and
+/// transforms are no inputs.
+std::vector<std::string> missingInputsOf(const std::string& topic) {
+  XmlRpc::XmlRpcValue state;
+  if (!askMaster("getSystemState", {}, state)) return {};
+  const std::vector<Connections> published = connectionsOf(state[0]), subscribed = connectionsOf(state[1]);
+  const auto publishersOf = [&published](const std::string& name) -> std::set<std::string> {
+    for (const Connections& one : published) {
+      if (one.topic == name) return one.nodes;
+    }
+    return {};
+  };
+  const std::set<std::string> makers = publishersOf(topic);
+  std::vector<std::string> missing;
+  for (const Connections& one : subscribed) {
+    const bool of_time = one.topic == "/clock" || one.topic == "/tf" || one.topic == "/tf_static";
+    const auto isMaker = [&makers](const std::string& node) { return makers.count(node) > 0; };
+    if (of_time || std::none_of(one.nodes.begin(), one.nodes.end(), isMaker)) continue;
+    if (publishersOf(one.topic).empty()) missing.push_back(one.topic);
+  }
+  return missing;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string result;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    result += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  }
+  return result;
+}
+
+std::string whyNoneSent(const std::string& topic) {
+  const std::vector<std::string> missing = missingInputsOf(topic);
+  if (missing.empty()) return "; one that makes it of a depth image needs camera_info, too";
+  for (const std::string& name : missing) {
+    const std::string packed = name + "/compressedDepth";
+    const std::optional<std::string> type = typeOf(packed);
+    if (type && !type->empty()) return ": " + name + " is published compressed only (depth:=" + packed + ")";
+  }
+  return ": it waits for " + joined(missing) + ", which nobody publishes";
+}
+
+}  // namespace
+
+std::string whySilent(const std::string& topic, std::uint32_t publishers, bool came_before) {
+  if (came_before) return publishers > 0 ? "its publisher sends no more" : "its publisher is gone";
+  if (publishers > 0) {
+    return "of its " + std::to_string(publishers) + (publishers == 1 ? " publisher" : " publishers") +
+           " none sent any" + whyNoneSent(topic);
+  }
+  const std::optional<std::string> known = typeOf(topic);
+  if (!known) return "and the ROS master does not answer";
+  const std::string &type = *known, wanted = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
+  if (type.empty() || type == wanted)
+    return "nobody publishes it (launch files take input:=TOPIC, or depth:=TOPIC of a depth image)";
+  const bool image = type == "sensor_msgs/Image";
+  return "it is a " + type + ", not a " + wanted + (image ? " (depth_image.launch takes depth:=TOPIC)" : "");
+}
+
+}  // namespace primitect::ros_layer
