@@ -78,6 +78,14 @@ class LaunchedBag(unittest.TestCase):
         self.assertIn("No such file", self.refused("missing.bag"))
         self.assertIn("does not appear to be a bag", self.refused(os.path.join(ROOT, "README.md")))
 
+    def test_is_looked_for_in_the_folder_of_the_shell(self):
+        before = os.environ.get("PWD", "/")
+        self.addCleanup(os.environ.__setitem__, "PWD", before)
+        os.environ["PWD"] = FOLDER.name
+        roslaunch("bag.launch", "bag:=a.bag")
+        os.environ["PWD"] = "/"
+        self.assertIn("/a.bag: No such file", self.refused("a.bag"))
+
     def test_without_the_topic_tells_what_it_has(self):
         self.assertIn("bag.launch: no /wrong in the bag, which has /lens/points (sensor_msgs/PointCloud2)",
                       words("bag.launch", "bag:=" + BAG, "input:=wrong"))
