@@ -41,8 +41,9 @@ class DetectorNodelet : public nodelet::Nodelet {
 
   void processCloud(const sensor_msgs::PointCloud2& cloud);
   void publish(const PrimitiveArray& message);
-  /// Once, or once more after parameters changed.
+  /// Once.
   void warnIfIncomplete(const std_msgs::Header& header);
+  /// Once, or once more after parameters changed.
   void warnIfHopeless();
   /// Once, or once more after parameters changed.
   void warnIfNotSeenFromOrigin();

@@ -98,7 +98,7 @@ class Bags(unittest.TestCase):
         return collector
 
     def test_of_clouds_are_processed_and_started_anew_when_time_jumps_back(self):
-        folder = os.path.join(self.folder, "of two words")
+        folder = os.path.join(self.folder, "two words, an owner's")
         os.mkdir(folder)
         write_bag(os.path.join(folder, "clouds.bag"))
         primitives = self.collect("/looped/primitives", PrimitiveArray)

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What launch files make of their arguments: parameters of the detector, and which of its two files RViz is given."""
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -77,6 +78,12 @@ class LaunchedBag(unittest.TestCase):
     def test_that_is_missing_or_none_is_refused_at_once(self):
         self.assertIn("No such file", self.refused("missing.bag"))
         self.assertIn("does not appear to be a bag", self.refused(os.path.join(ROOT, "README.md")))
+
+    def test_may_be_larger_than_a_whole_number_of_the_parameter_server(self):
+        large = os.path.join(FOLDER.name, "large.bag")
+        shutil.copy(BAG, large)
+        os.truncate(large, 3 << 30)  # sparse
+        self.assertEqual(parameters("bag.launch", "bag:=" + large)["/bag_player/recorded_bytes"].strip(), str(3 << 30))
 
     def test_is_looked_for_in_the_folder_of_the_shell(self):
         before = os.environ.get("PWD", "/")
