@@ -191,13 +191,17 @@ void DetectorNodelet::warnIfHopeless() {
 }
 
 void DetectorNodelet::warnIfSilent() {
-  const bool silent = diagnostics_->silent();
-  if (silent && !told_silent_) {
-    NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for "
-                                  << DetectorDiagnostics::kSilenceSeconds << " s; "
-                                  << whySilent(input_.getTopic(), input_.getNumPublishers(), diagnostics_->anyFrame()));
+  if (!diagnostics_->silent()) {
+    silence_.clear();
+    return;
   }
-  told_silent_ = silent;
+  const bool again = silence_check_.ready();  // asks the master
+  if (!silence_.empty() && !again) return;
+  const std::string why = whySilent(input_.getTopic(), input_.getNumPublishers(), diagnostics_->anyFrame());
+  if (why == silence_) return;
+  silence_ = why;
+  NODELET_WARN_STREAM(getName() << ": no cloud on " << input_.getTopic() << " for "
+                                << DetectorDiagnostics::kSilenceSeconds << " s; " << why);
 }
 
 void DetectorNodelet::publish(const PrimitiveArray& message) {

@@ -70,9 +70,9 @@ class DetectorNodelet : public nodelet::Nodelet {
   bool told_not_from_origin_ = false;
   bool told_assumed_origin_ = false;
   bool told_found_camera_ = false;
-  bool told_silent_ = false;
+  std::string silence_;  ///< why no cloud comes, as it was told; empty: clouds come
   bool told_incomplete_ = false;
-  Throttle input_warning_{5.0}, transform_warning_{5.0}, failure_warning_{5.0}, jump_warning_{10.0};
+  Throttle input_warning_{5.0}, silence_check_{5.0}, transform_warning_{5.0}, failure_warning_{5.0}, jump_warning_{10.0};
 
   std::unique_ptr<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;

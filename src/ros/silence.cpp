@@ -50,8 +50,24 @@ std::vector<Connections> connectionsOf(XmlRpc::XmlRpcValue& list) {
   return result;
 }
 
-/// What the publishers of the topic wait for in vain: topics that they subscribe to and nobody publishes. Time and
-/// transforms are no inputs.
+/// Clouds are made of these. Other topics, as those of the same manager's other nodelets, say nothing.
+bool isOfImages(const std::string& type) {
+  return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage" || type == "sensor_msgs/CameraInfo";
+}
+
+/// Topics of images that somebody publishes or subscribes to.
+std::set<std::string> imageTopics() {
+  XmlRpc::XmlRpcValue topics;
+  std::set<std::string> result;
+  if (!askMaster("getTopicTypes", {}, topics)) return result;
+  for (int k = 0; k < topics.size(); ++k) {
+    if (isOfImages(std::string(topics[k][1]))) result.insert(std::string(topics[k][0]));
+  }
+  return result;
+}
+
+/// What the publishers of the topic wait for in vain: images, and what belongs to them, that they subscribe to and
+/// nobody publishes.
 std::vector<std::string> missingInputsOf(const std::string& topic) {
   XmlRpc::XmlRpcValue state;
   if (!askMaster("getSystemState", {}, state)) return {};
@@ -62,14 +78,14 @@ std::vector<std::string> missingInputsOf(const std::string& topic) {
     }
     return {};
   };
-  const std::set<std::string> makers = publishersOf(topic);
+  const std::set<std::string> makers = publishersOf(topic), images = imageTopics();
   std::vector<std::string> missing;
   for (const Connections& one : subscribed) {
-    const bool of_time = one.topic == "/clock" || one.topic == "/tf" || one.topic == "/tf_static";
     const auto isMaker = [&makers](const std::string& node) { return makers.count(node) > 0; };
-    if (of_time || std::none_of(one.nodes.begin(), one.nodes.end(), isMaker)) continue;
+    if (images.count(one.topic) == 0 || std::none_of(one.nodes.begin(), one.nodes.end(), isMaker)) continue;
     if (publishersOf(one.topic).empty()) missing.push_back(one.topic);
   }
+  std::sort(missing.begin(), missing.end());
   return missing;
 }
 

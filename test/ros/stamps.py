@@ -49,7 +49,7 @@ class Stamps(unittest.TestCase):
         self.assertEqual(logged("time went back"), [Log.INFO] * 2)
         self.assertEqual(logged("stamps on /clouds go back again and again"), [Log.WARN])
 
-    def test_that_are_missing_are_told_once(self):
+    def test_without_a_frame_are_told_once(self):
         log = Collector("/rosout", Log)
         detector = Detector("/clouds")
         self.assertTrue(detector.ready())
@@ -57,11 +57,12 @@ class Stamps(unittest.TestCase):
 
         def told():
             return [entry.msg for entry in log.all() if " have no " in entry.msg]
-        for seconds in 0, 0, 1:
-            self.assertIsNotNone(detector.ask(cloud_message(points, width, height, stamp=rospy.Time(seconds))))
+        for seconds in 1, 2, 3:
+            cloud = cloud_message(points, width, height, frame="", stamp=rospy.Time(seconds))
+            self.assertIsNotNone(detector.ask(cloud), seconds)
         self.assertTrue(wait_for(told))
         self.assertEqual(len(told()), 1)
-        self.assertIn(": clouds on /clouds have no stamp: ", told()[0])
+        self.assertIn(": clouds on /clouds have no frame_id: ", told()[0])
 
 
 if __name__ == "__main__":
