@@ -45,8 +45,8 @@ List<AxisPart> partsOfTube(const Detection& tube, const List<std::uint32_t>& pix
   constexpr float kLeast = 0.006f;  // m
   constexpr float kMiddle = 0.8f;   // of the gap: at its ends noise leaves points of what ends there
   // Of the places in the gap: where nothing but noise leaves one, none. A stereo camera sees near things wider than
-  // they are: half a metre before it 20 mm between two cans have .66, 16 mm .46 and are none. With .75 and gaps of .015
-  // m the same is found on 80 tables, by each of three sensors.
+  // they are: half a metre before it 20 mm between two cans have .66, 16 mm .46 and are none. With .75 and gaps of
+  // .015 m the same is found on 80 tables, by each of three sensors.
   constexpr double kBehind = 0.5;
   List<float> heights(pixels.size());
   for (std::size_t k = 0; k < pixels.size(); ++k) heights[k] = heightOn(tube, image.cloud, pixels[k]);

@@ -195,8 +195,7 @@ void DetectorNodelet::warnIfSilent() {
     silence_.clear();
     return;
   }
-  const bool again = silence_check_.ready();  // asks the master
-  if (!silence_.empty() && !again) return;
+  if (!silence_check_.ready()) return;  // the master is asked
   const std::string why = whySilent(input_.getTopic(), input_.getNumPublishers(), diagnostics_->anyFrame());
   if (why == silence_) return;
   silence_ = why;

@@ -8,6 +8,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -34,18 +35,14 @@ std::optional<std::string> typeOf(const std::string& topic) {
   return "";
 }
 
-/// Which nodes publish a topic, or subscribe to it.
-struct Connections {
-  std::string topic;
-  std::set<std::string> nodes;
-};
+/// The nodes that publish, or subscribe to, each topic.
+using NodesOf = std::map<std::string, std::set<std::string>>;
 
-std::vector<Connections> connectionsOf(XmlRpc::XmlRpcValue& list) {
-  std::vector<Connections> result;
-  for (int k = 0; k < list.size(); ++k) {
-    Connections one{std::string(list[k][0]), {}};
-    for (int n = 0; n < list[k][1].size(); ++n) one.nodes.insert(std::string(list[k][1][n]));
-    result.push_back(std::move(one));
+NodesOf nodesOf(XmlRpc::XmlRpcValue& topics) {
+  NodesOf result;
+  for (int k = 0; k < topics.size(); ++k) {
+    std::set<std::string>& nodes = result[std::string(topics[k][0])];
+    for (int n = 0; n < topics[k][1].size(); ++n) nodes.insert(std::string(topics[k][1][n]));
   }
   return result;
 }
@@ -67,25 +64,18 @@ std::set<std::string> imageTopics() {
 }
 
 /// What the publishers of the topic wait for in vain: images, and what belongs to them, that they subscribe to and
-/// nobody publishes.
-std::vector<std::string> missingInputsOf(const std::string& topic) {
-  XmlRpc::XmlRpcValue state;
-  if (!askMaster("getSystemState", {}, state)) return {};
-  const std::vector<Connections> published = connectionsOf(state[0]), subscribed = connectionsOf(state[1]);
-  const auto publishersOf = [&published](const std::string& name) -> std::set<std::string> {
-    for (const Connections& one : published) {
-      if (one.topic == name) return one.nodes;
-    }
-    return {};
-  };
-  const std::set<std::string> makers = publishersOf(topic), images = imageTopics();
+/// nobody publishes. In the order of their names.
+std::vector<std::string> missingInputsOf(const std::string& topic, const NodesOf& publishers,
+                                         const NodesOf& subscribers) {
   std::vector<std::string> missing;
-  for (const Connections& one : subscribed) {
-    const auto isMaker = [&makers](const std::string& node) { return makers.count(node) > 0; };
-    if (images.count(one.topic) == 0 || std::none_of(one.nodes.begin(), one.nodes.end(), isMaker)) continue;
-    if (publishersOf(one.topic).empty()) missing.push_back(one.topic);
+  const auto makers = publishers.find(topic);
+  if (makers == publishers.end()) return missing;
+  const auto isMaker = [&](const std::string& node) { return makers->second.count(node) > 0; };
+  const std::set<std::string> images = imageTopics();
+  for (const auto& [name, nodes] : subscribers) {
+    const bool wanted = images.count(name) > 0 && std::any_of(nodes.begin(), nodes.end(), isMaker);
+    if (wanted && publishers.count(name) == 0) missing.push_back(name);
   }
-  std::sort(missing.begin(), missing.end());
   return missing;
 }
 
@@ -98,12 +88,15 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string whyNoneSent(const std::string& topic) {
-  const std::vector<std::string> missing = missingInputsOf(topic);
-  if (missing.empty()) return "; one that makes it of a depth image needs camera_info, too";
+  const std::string unknown = "; one that makes it of a depth image needs camera_info, too";
+  XmlRpc::XmlRpcValue state;
+  if (!askMaster("getSystemState", {}, state)) return unknown;
+  const NodesOf publishers = nodesOf(state[0]), subscribers = nodesOf(state[1]);
+  const std::vector<std::string> missing = missingInputsOf(topic, publishers, subscribers);
+  if (missing.empty()) return unknown;
   for (const std::string& name : missing) {
     const std::string packed = name + "/compressedDepth";
-    const std::optional<std::string> type = typeOf(packed);
-    if (type && !type->empty()) return ": " + name + " is published compressed only (depth:=" + packed + ")";
+    if (publishers.count(packed) > 0) return ": " + name + " is published compressed only (depth:=" + packed + ")";
   }
   return ": it waits for " + joined(missing) + ", which nobody publishes";
 }

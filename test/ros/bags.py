@@ -19,8 +19,8 @@ import rospy
 import rostest
 from primitect.msg import Primitive, PrimitiveArray
 from ros_helpers import Collector, cloud_message, wait_for, wall_and_ball
-from sensor_msgs.msg import CameraInfo, CompressedImage
 from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import CameraInfo, CompressedImage
 from visualization_msgs.msg import Marker, MarkerArray
 
 FIRST_STAMP = 1000

@@ -16,20 +16,21 @@ from sensor_msgs.msg import PointCloud2
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
-def roslaunch(file, *arguments):
-    """What it would start RViz with; raises where it refuses."""
+def done(file, *arguments):
+    """Its words, and what it would start RViz with; raises where it refuses."""
     command = ["roslaunch", "--args", "/detector_rviz", os.path.join(ROOT, "launch", file), "rviz:=true"]
-    done = subprocess.run(command + list(arguments), capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise ValueError(done.stderr)
-    return done.stdout
+    run = subprocess.run(command + list(arguments), capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        raise ValueError(run.stderr)
+    return run
+
+
+def roslaunch(file, *arguments):
+    return done(file, *arguments).stdout
 
 
 def words(file, *arguments):
-    """What it says beside that."""
-    command = ["roslaunch", "--args", "/detector", os.path.join(ROOT, "launch", file)]
-    return subprocess.run(command + list(arguments), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
-                          check=True).stderr
+    return done(file, *arguments).stderr
 
 
 def parameters(file, *arguments):
@@ -78,6 +79,12 @@ class LaunchedBag(unittest.TestCase):
     def test_that_is_missing_or_none_is_refused_at_once(self):
         self.assertIn("No such file", self.refused("missing.bag"))
         self.assertIn("does not appear to be a bag", self.refused(os.path.join(ROOT, "README.md")))
+
+    def test_that_was_cut_short_is_refused_with_what_mends_it(self):
+        cut = os.path.join(FOLDER.name, "cut.bag")
+        shutil.copy(BAG, cut)
+        os.truncate(cut, os.path.getsize(cut) // 2)
+        self.assertIn("cut.bag has no index", self.refused(cut))
 
     def test_may_be_larger_than_a_whole_number_of_the_parameter_server(self):
         large = os.path.join(FOLDER.name, "large.bag")
