@@ -68,7 +68,8 @@ class Verification {
   using IsSeen = std::function<bool(const Segment&)>;
 
   /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
-  /// likely enough, or not seen; its samples may serve others. No is_seen, or any confidence will do: all are.
+  /// likely enough, or not seen; its samples may serve others. No is_seen, or any confidence will do: all are. In the
+  /// end large planes of a depth camera that are less even than the rest (uneven_planes.h).
   void conclude(const IsSeen& is_seen = nullptr);
 
   /// What samples may stray.
@@ -126,6 +127,7 @@ class Verification {
   bool refuseUnlikely();
   bool refuseUnseen(const IsSeen& is_seen);
   void refuse(const Segment& segment);
+  void addUnevenPlanes();
   HeldGains heldByChosen() const;
 
   Params params_;

@@ -9,6 +9,7 @@
 #include "core/facets.h"
 #include "core/plane_parts.h"
 #include "core/standing.h"
+#include "core/uneven_planes.h"
 #include "core/verification.h"
 
 namespace primitect {
@@ -181,6 +182,28 @@ bool Verification::refuseUnseen(const IsSeen& is_seen) {
   return any;
 }
 
+/// Among the samples that no segment has.
+void Verification::addUnevenPlanes() {
+  if (!noise_.ofDepthCamera() || !params_.detect_planes) return;
+  HeldGains held(samples_.size(), 0.0f);
+  List<std::uint32_t> owner(samples_.size(), kNobody);
+  for (const Segment& segment : segments_) {
+    hold(pool_[segment.hypothesis], held);
+    for (const std::uint32_t i : segment.inliers) owner[i] = segment.hypothesis;
+  }
+  for (UnevenPlane& plane : findUnevenPlanes(samples_, graph_, held, std::move(owner), quickRules())) {
+    Segment segment;
+    segment.hypothesis = static_cast<std::uint32_t>(pool_.size());
+    segment.candidate.shape = plane.hypothesis.shape;
+    segment.inliers = std::move(plane.inliers);
+    segment.evidence = plane.evidence;
+    segment.confidence = plane.confidence;
+    if (isUnlikely(segment)) continue;
+    pool_.push_back(std::move(plane.hypothesis));
+    segments_.push_back(std::move(segment));
+  }
+}
+
 void Verification::conclude(const IsSeen& is_seen) {
   constexpr int kRefusals = 4;
   select();
@@ -194,6 +217,7 @@ void Verification::conclude(const IsSeen& is_seen) {
   // What took the place of the last ones refused may be unlikely, too.
   const auto unlikely = [this](const Segment& segment) { return isUnlikely(segment); };
   segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+  addUnevenPlanes();
   // Selections that go on keep what stayed in front, whatever its size.
   std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
     return a.inliers.size() != b.inliers.size() ? a.inliers.size() > b.inliers.size() : a.hypothesis < b.hypothesis;

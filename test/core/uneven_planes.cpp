@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Walls that stray from their plane by more than the noise tells, and what is none for it.
+#include "core/uneven_planes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/choice.h"
+#include "primitect/detector.h"
+#include "test/support/hypotheses.h"
+#include "test/support/rendered_cloud.h"
+#include "test/support/scenes.h"
+
+namespace primitect {
+namespace {
+
+constexpr double kWall = 1.7;  // m, z
+
+/// Samples of which a wall is unexplained, and a plane before them is not.
+struct Scene {
+  Plane known = {Vec3(0.0, 0.5, 0.9), -Vec3::UnitY()};
+  int known_count = 600;
+  double waves = 0.004;      ///< m, how high those of the wall are
+  int count = 400;           ///< samples of the wall
+  double half_height = 0.2;  ///< m, of the wall; half of its width is .3 m
+  double bent = 0.0;         ///< 1 / m: the wall is a part of a tube across the line of sight
+  double keys = 0.0;         ///< share of its samples that lie 4 cm nearer
+  bool explained = false;    ///< the wall, too
+  NoiseModel noise;
+
+  Scene() {
+    noise.depth_share = 1e-3;
+    noise.angle = 0.12;
+  }
+
+  std::vector<UnevenPlane> found() const {
+    constexpr float kWell = 0.9f;
+    Random random(91);
+    std::vector<test::SurfacePoint> points = test::patchOf(known, known_count, 0.2, random);
+    for (int k = 0; k < count; ++k) {
+      const double turn = 2.0 * M_PI / 0.15, u = random.uniform(-0.3, 0.3);
+      const double v = random.uniform(-half_height, half_height);
+      const double key = random.uniform(0.0, 1.0) < keys ? 0.04 : 0.0;
+      const double z = kWall - key + waves * std::sin(turn * u) * std::sin(turn * v) + 0.5 * bent * u * u;
+      const double along_u = turn * waves * std::cos(turn * u) * std::sin(turn * v) + bent * u;
+      const double along_v = turn * waves * std::sin(turn * u) * std::cos(turn * v);
+      points.push_back({Vec3(u, v, z), Vec3(along_u, along_v, -1.0).normalized()});
+    }
+    const Samples samples = test::samplesWith(noise, points);
+    SampleGraph graph;
+    graph.build(samples);
+    HeldGains held(samples.size(), explained ? kWell : 0.0f);
+    List<std::uint32_t> owner(samples.size(), explained ? 0 : kNobody);
+    std::fill_n(held.begin(), known_count, kWell);
+    std::fill_n(owner.begin(), known_count, 0);
+    const Params params;
+    const ProposalRules rules = {noise, {params, 1.0}, 1.0, 0.3};
+    const List<UnevenPlane> planes = findUnevenPlanes(samples, graph, held, owner, rules);
+    return {planes.begin(), planes.end()};
+  }
+};
+
+TEST(UnevenPlanes, AreLargeWallsWithWaves) {
+  const Scene scene;
+  const std::vector<UnevenPlane> planes = scene.found();
+  ASSERT_EQ(planes.size(), 1u);
+  const Plane wall = std::get<Plane>(planes[0].hypothesis.shape);
+  EXPECT_LT(test::lineAngle(wall.normal, Vec3::UnitZ()), 1.0 * test::kDegree);
+  EXPECT_NEAR(distance(wall, Vec3(0.0, 0.0, kWall)), 0.0, 0.002);
+  EXPECT_GT(planes[0].inliers.size(), 340u);
+  EXPECT_GE(planes[0].inliers.front(), 600u) << "what is explained stays where it is";
+  EXPECT_TRUE(std::is_sorted(planes[0].inliers.begin(), planes[0].inliers.end()));
+  EXPECT_GT(planes[0].confidence, 0.9);
+}
+
+TEST(UnevenPlanes, AreNotWhatIsExplained) {
+  Scene scene;
+  scene.explained = true;
+  EXPECT_TRUE(scene.found().empty());
+}
+
+TEST(UnevenPlanes, TakeNothingFromOthers) {
+  Scene scene;
+  scene.known = {Vec3(0.8, 0.0, kWall), -Vec3::UnitZ()};
+  const std::vector<UnevenPlane> planes = scene.found();
+  ASSERT_EQ(planes.size(), 1u);
+  EXPECT_GT(planes[0].hypothesis.inliers, 900u);
+  EXPECT_GE(planes[0].inliers.front(), 600u);
+}
+
+TEST(UnevenPlanes, AreNotSmall) {
+  Scene scene;
+  scene.known_count = 3000;
+  scene.count = 140;  // 4.46 % of all
+  EXPECT_TRUE(scene.found().empty());
+  scene.count = 180;
+  EXPECT_EQ(scene.found().size(), 1u);
+}
+
+TEST(UnevenPlanes, AreNotNarrow) {
+  Scene scene;
+  scene.half_height = 0.04;
+  EXPECT_TRUE(scene.found().empty());
+}
+
+TEST(UnevenPlanes, AreNotBent) {
+  Scene scene;
+  scene.bent = 2.0;
+  EXPECT_TRUE(scene.found().empty());
+}
+
+TEST(UnevenPlanes, AreNotWhatMuchSpeaksAgainst) {
+  Scene scene;
+  scene.keys = 0.15;
+  EXPECT_TRUE(scene.found().empty());
+}
+
+TEST(UnevenPlanes, MayBeSpokenAgainstByAsMuchOfAllThatThereIs) {
+  Scene scene;
+  scene.keys = 0.1;
+  EXPECT_TRUE(scene.found().empty());
+  scene.known_count = 0;
+  const std::vector<UnevenPlane> planes = scene.found();
+  ASSERT_FALSE(planes.empty());
+  EXPECT_GT(planes[0].inliers.size(), 300u);
+}
+
+TEST(UnevenPlanes, AreNotPartsOfWhatIsKnown) {
+  Scene scene;
+  scene.count = 60;
+  scene.known = {Vec3(0.5, 0.0, kWall), -Vec3::UnitZ()};
+  EXPECT_TRUE(scene.found().empty());
+}
+
+TEST(UnevenPlanes, AreNotFolded) {
+  Scene scene;
+  scene.waves = 0.015;
+  EXPECT_TRUE(scene.found().empty());
+}
+
+/// A table close by, which reaches into the lower half of the image, and a wall with three crossing waves of .15 m that
+/// strays from its plane by this much (m, standard deviation).
+synthetic::World tableAndWall(double waves) {
+  constexpr double kLength = 0.15, kThick = 0.004;  // m
+  synthetic::World world;
+  const Eigen::Isometry3d table = test::tableBeforeCamera(0.75, 50.0 * test::kDegree);
+  world.add("table", synthetic::Sheet{0.4, 0.25}, table * Eigen::Translation3d(0.0, -0.2, 0.0));
+  synthetic::Cloth wall = {2.0, 2.0, kThick, {}};
+  for (std::size_t k = 0; k < wall.waves.size(); ++k) {
+    const double heading = 2.1 * static_cast<double>(k) + 0.4, turn = 2.0 * M_PI / kLength;
+    wall.waves[k] = {turn * std::cos(heading), turn * std::sin(heading), std::sqrt(2.0 / 3.0) * waves, double(k)};
+  }
+  world.add("wall", wall, Eigen::Translation3d(0.0, 0.0, kWall) * Eigen::Isometry3d::Identity());
+  return world;
+}
+
+/// In how many of four images the wall is found.
+int wallsFound(double waves) {
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Detector detector{Params()};
+    const Detections& found = detector.detect(test::renderedCloud(tableAndWall(waves), {}, seed));
+    count += std::any_of(found.items.begin(), found.items.end(), [](const Detection& item) {
+      const Plane* plane = std::get_if<Plane>(&item.shape);
+      return plane && test::lineAngle(plane->normal, Vec3::UnitZ()) < 3.0 * test::kDegree &&
+             std::abs(distance(*plane, Vec3(0.0, 0.0, kWall))) < 0.02;
+    });
+  }
+  return count;
+}
+
+TEST(UnevenPlanes, AreFoundInFrames) {
+  EXPECT_EQ(wallsFound(0.006), 4) << "none with the noise of the table alone";
+  EXPECT_EQ(wallsFound(0.01), 0) << "nearly as steep as a cloth";
+}
+
+}  // namespace
+}  // namespace primitect
