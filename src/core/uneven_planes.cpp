@@ -18,12 +18,18 @@ namespace {
 /// Of all samples, so many are on a large one.
 constexpr double kLarge = 0.045;
 
+/// Of all samples; with twice as much noise nothing can be told.
+bool isPoor(const NoiseModel& noise) {
+  constexpr double kPoorNormals = 0.3, kPoorDepths = 1.5;  // rad, times that of structured light
+  return noise.angle > kPoorNormals || noise.scale > kPoorDepths;
+}
+
 /// More noise of distances and normals.
 NoiseModel loosened(NoiseModel noise) {
-  constexpr double kDistances = 2.0, kNormals = 1.5, kMostAngle = 0.5;
+  constexpr double kDistances = 2.0, kNormals = 1.5;
   noise.scale *= kDistances;
   noise.depth_share *= kDistances;
-  noise.angle = std::min(kNormals * noise.angle, kMostAngle);
+  noise.angle *= kNormals;
   noise.normals *= kNormals;
   noise.most_turn *= kNormals;
   return noise;
@@ -76,7 +82,8 @@ double halfWidth(const Samples& samples, const List<std::uint32_t>& set) {
 
 /// Whether more noise is all that was missing.
 bool isClear(const UnevenPlane& plane, const Samples& samples) {
-  constexpr double kSure = 0.9, kNarrow = 0.03;
+  constexpr double kSure = 0.9;
+  constexpr double kNarrow = 0.06;                     // m: 20 cm from side to side
   constexpr double kAgainst = 0.1, kAgainstAll = 0.3;  // each sample, of a large plane and of one that is all there is
   const double share = static_cast<double>(plane.inliers.size()) / static_cast<double>(samples.size());
   return plane.confidence >= kSure && plane.evidence.against <= std::max(kAgainst, kAgainstAll * share) &&
@@ -87,6 +94,7 @@ bool isClear(const UnevenPlane& plane, const Samples& samples) {
 
 List<UnevenPlane> findUnevenPlanes(const Samples& samples, SampleGraph& graph, const HeldGains& held,
                                    List<std::uint32_t> owner, const ProposalRules& rules) {
+  if (isPoor(rules.noise)) return {};
   const auto least = static_cast<std::size_t>(std::ceil(kLarge * static_cast<double>(samples.size())));
   const List<Candidate> candidates = candidatesOf(samples, graph, held, least);
   if (candidates.empty()) return {};

@@ -21,11 +21,11 @@ struct UnevenPlane {
 
 /// Planes among the samples that nothing explains yet, with twice the noise: the noise is measured on what stands out
 /// clearly, mostly a table close by, and a wall 1.5 m away may wave by 5 mm. In return much is asked of them: they are
-/// large and wide, hardly anything near speaks against them, and no curved shape explains these samples better.
-/// Measured on 300 frames of an independent simulator with such waves: of walls, floors and doors above 20,000 pixels
-/// half of those that were missing are found, and of what is found so, nothing is wrong; with smaller ones insides of
-/// buckets, cloths, and steps from a skirting to its wall would be. owner: of each sample, as in Selection; held: the
-/// gains of these; rules: with the noise that was measured, which is a depth camera's.
+/// large and wide, hardly anything near speaks against them, and no curved shape explains these samples better; of
+/// smaller ones, insides of buckets, cloths, and steps from a skirting to its wall come out. None where all samples are
+/// noisy: on tables with twice the noise, which five pixels share, that brought narrow planes along what is round.
+/// owner: of each sample, as in Selection; held: the gains of these; rules: with the noise that was measured, which is
+/// a depth camera's.
 List<UnevenPlane> findUnevenPlanes(const Samples& samples, SampleGraph& graph, const HeldGains& held,
                                    List<std::uint32_t> owner, const ProposalRules& rules);
 

@@ -100,9 +100,17 @@ TEST(UnevenPlanes, AreNotSmall) {
   EXPECT_EQ(scene.found().size(), 1u);
 }
 
+TEST(UnevenPlanes, AreNotLookedForWhereAllSamplesAreNoisy) {
+  Scene normals, depths;
+  normals.noise.angle = 0.31;
+  depths.noise.scale = 1.51;
+  EXPECT_TRUE(normals.found().empty());
+  EXPECT_TRUE(depths.found().empty());
+}
+
 TEST(UnevenPlanes, AreNotNarrow) {
   Scene scene;
-  scene.half_height = 0.04;
+  scene.half_height = 0.09;
   EXPECT_TRUE(scene.found().empty());
 }
 
