@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The README tells the truth: its commands, files, links, parameters and topics exist."""
+"""The README and the table of parameters tell the truth: commands, files, links and parameters exist."""
 import os
 import re
 import sys
@@ -10,8 +10,16 @@ COMMANDS = ("scripts/demo", "scripts/test", "scripts/setup")
 
 
 def parameters(root):
+    """Defaults by name."""
     with open(os.path.join(root, "include/primitect/params.def"), encoding="utf-8") as file:
-        return re.findall(r"^PRIMITECT_(?:CHOICE|BOOL|INT|REAL|TEXT)\((\w+), (.*)", file.read(), re.M)
+        rows = re.findall(r"^PRIMITECT_(?:CHOICE|BOOL|INT|REAL|TEXT)\((\w+), (.*)", file.read(), re.M)
+    return {name: re.match(r'("[^"]*"|[^,]+),', rest).group(1).strip('"') or "empty" for name, rest in rows}
+
+
+def defaults_in(page):
+    """Of the parameters in a page's tables: names, one or several in the first column, and the second column."""
+    rows = re.findall(r"^\| ((?:`\w+`(?:, )?)+) \| ([^|]+?) \|", page, re.M)
+    return {name: default.strip("`") for names, default in rows for name in re.findall(r"\w+", names)}
 
 
 def check(root):
@@ -21,32 +29,36 @@ def check(root):
     for command in COMMANDS:
         path = os.path.join(root, command)
         if command not in readme:
-            faults.append("does not name " + command)
+            faults.append("README.md does not name " + command)
         if not os.access(path, os.X_OK):
-            faults.append(command + " cannot be run")
+            faults.append("README.md names %s, which cannot be run" % command)
     for link in re.findall(r"\]\(([^)#]+)\)", readme):
         if not link.startswith("http") and not os.path.exists(os.path.join(root, link)):
-            faults.append("links to %s, which is not there" % link)
+            faults.append("README.md links to %s, which is not there" % link)
     for launch in set(re.findall(r"\b(\w+\.launch)\b", readme)):
         if not os.path.exists(os.path.join(root, "launch", launch)):
-            faults.append("names %s, which is not there" % launch)
+            faults.append("README.md names %s, which is not there" % launch)
     for path in set(re.findall(r"`((?:src|include|config|docs|eval|test|scripts|launch|msg)/[\w./-]+)`", readme)):
         if not os.path.exists(os.path.join(root, path)):
-            faults.append("names %s, which is not there" % path)
+            faults.append("README.md names %s, which is not there" % path)
     known = parameters(root)
-    table = dict(re.findall(r"^\| `(\w+)` \| ([^|]+?) \|", readme, re.M))
-    for name, rest in known:
-        default = re.match(r'("[^"]*"|[^,]+),', rest).group(1).strip('"') or "empty"
-        if name not in table:
-            faults.append("its parameter table lacks " + name)
-        elif table[name].strip("`") != default:
-            faults.append("says %s is %s by default, it is %s" % (name, table[name], default))
     if len(known) < 20:
         faults.append("params.def could not be read")
+    with open(os.path.join(root, "docs/parameters.md"), encoding="utf-8") as file:
+        tables = {"README.md": defaults_in(readme), "docs/parameters.md": defaults_in(file.read())}
+    for page, table in tables.items():
+        for name in table:
+            if name not in known:
+                faults.append("%s has a parameter %s, which is none" % (page, name))
+            elif table[name] != known[name]:
+                faults.append("%s says %s is %s by default, it is %s" % (page, name, table[name], known[name]))
+    for name in known:
+        if name not in tables["docs/parameters.md"]:
+            faults.append("docs/parameters.md lacks " + name)
     return faults
 
 
 if __name__ == "__main__":
     found = check(sys.argv[1])
-    print("\n".join("README.md " + fault for fault in found) or "README.md tells the truth")
+    print("\n".join(found) or "README.md and docs/parameters.md tell the truth")
     sys.exit(1 if found else 0)
