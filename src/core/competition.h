@@ -3,6 +3,7 @@
 // The four kinds compete for given samples.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -30,8 +31,11 @@ struct ProposalRules {
   double widen;  ///< times the noise: how far off the shape of a candidate may be
   double reach;  ///< m, of a candidate around its reference
   std::size_t most_fitted = std::numeric_limits<std::size_t>::max();  ///< samples that a fit is made of
+  std::size_t least = 0;        ///< samples that a hypothesis needs, where that is more than params.min_inliers
   bool fitted = false;          ///< the hypothesis, to most of the samples, is a good start
   bool fitted_normals = false;  ///< normals are those of many points each: the edge of a box is as round as a tube
+
+  std::size_t needed() const { return std::max(least, static_cast<std::size_t>(limits.params.min_inliers)); }
 };
 
 /// The best of all kinds for these samples, as far as their moments promise any; false when none is within the limits

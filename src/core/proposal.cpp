@@ -109,7 +109,7 @@ Outcome grow(const Samples& samples, const HeldGains& held, const ProposalRules&
              const List<Hypothesis>& pool, Hypothesis& hypothesis, Refusals& refusals) {
   // With a third one no more is found on 60 tables; of 70 cones of the paper's scenes one more is right.
   const int growths = rules.noise.ofDepthCamera() ? 2 : 3;
-  const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
+  const std::size_t needed = rules.needed();
   std::size_t before = 0;
   ProposalRules of_growth = rules;
   for (int growth = 0; growth < growths && set.size() > before + before / 20; ++growth) {
@@ -163,7 +163,7 @@ bool Proposer::wants(std::uint32_t sample) const {
 
 void Proposer::propose(const Samples& samples, SampleGraph& graph, const List<Candidate>& candidates,
                        const ProposalRules& rules, List<Hypothesis>& pool, Refusals& refusals) {
-  const std::size_t needed = static_cast<std::size_t>(rules.limits.params.min_inliers);
+  const std::size_t needed = rules.needed();
   KnownGains gains;
   const auto unexplained = [this](std::uint32_t i) { return held_[i] < kWellExplained; };
   for (const Candidate& candidate : candidates) {

@@ -68,8 +68,8 @@ class Verification {
   using IsSeen = std::function<bool(const Segment&)>;
 
   /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
-  /// likely enough, or not seen; its samples may serve others. No is_seen, or any confidence will do: all are. In the
-  /// end large planes of a depth camera that are less even than the rest (uneven_planes.h).
+  /// likely enough, or not seen; its samples may serve others. No is_seen, or any confidence will do: all are. Then
+  /// large planes of a depth camera that are less even than the rest are added (uneven_planes.h).
   void conclude(const IsSeen& is_seen = nullptr);
 
   /// What samples may stray.
@@ -122,6 +122,7 @@ class Verification {
   bool separate(const Segment& segment, const HeldGains& held);
   bool isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const;
   double standingOf(const Segment& segment) const;
+  void countDraws(Segment& segment) const;
   void assess(Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();

@@ -121,12 +121,17 @@ double Verification::standingOf(const Segment& segment) const {
   return most;
 }
 
+/// Samples of later draws count for more in its evidence.
+void Verification::countDraws(Segment& segment) const {
+  const auto later = static_cast<double>(segment.inliers.size() - inliersOfFirstDraw(segment));
+  segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
+}
+
 void Verification::assess(Segment& segment, const HeldGains& held) {
   const Hypothesis& hypothesis = pool_[segment.hypothesis];
   const Kind kind = kindOf(hypothesis.shape);
   segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
-  const auto later = static_cast<double>(segment.inliers.size() - inliersOfFirstDraw(segment));
-  segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
+  countDraws(segment);
   segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
   if (kind != Kind::plane) {
     const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
@@ -184,22 +189,26 @@ bool Verification::refuseUnseen(const IsSeen& is_seen) {
 
 /// Among the samples that no segment has.
 void Verification::addUnevenPlanes() {
-  if (!noise_.ofDepthCamera() || !params_.detect_planes) return;
+  if (!noise_.ofDepthCamera() || !noise_measured_ || !params_.detect_planes) return;
   HeldGains held(samples_.size(), 0.0f);
   List<std::uint32_t> owner(samples_.size(), kNobody);
   for (const Segment& segment : segments_) {
     hold(pool_[segment.hypothesis], held);
     for (const std::uint32_t i : segment.inliers) owner[i] = segment.hypothesis;
   }
-  for (UnevenPlane& plane : findUnevenPlanes(samples_, graph_, held, std::move(owner), quickRules())) {
+  const List<UnevenPlane> planes = findUnevenPlanes(samples_, graph_, held, std::move(owner), rules());
+  for (const UnevenPlane& plane : planes) {
     Segment segment;
     segment.hypothesis = static_cast<std::uint32_t>(pool_.size());
-    segment.candidate.shape = plane.hypothesis.shape;
-    segment.inliers = std::move(plane.inliers);
+    segment.candidate.shape = plane.shape;
+    segment.inliers = plane.inliers;
     segment.evidence = plane.evidence;
-    segment.confidence = plane.confidence;
-    if (isUnlikely(segment)) continue;
-    pool_.push_back(std::move(plane.hypothesis));
+    countDraws(segment);
+    segment.confidence = confidenceOf(Kind::plane, segment.evidence);
+    Hypothesis hypothesis;
+    hypothesis.shape = plane.shape;
+    evaluate(samples_, held, 1.0, hypothesis);
+    pool_.push_back(std::move(hypothesis));
     segments_.push_back(std::move(segment));
   }
 }
