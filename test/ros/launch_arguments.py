@@ -16,9 +16,9 @@ from sensor_msgs.msg import PointCloud2
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
-def done(file, *arguments):
-    """Its words, and what it would start RViz with; raises where it refuses."""
-    command = ["roslaunch", "--args", "/detector_rviz", os.path.join(ROOT, "launch", file), "rviz:=true"]
+def done(file, *arguments, node="/detector_rviz"):
+    """Its words, and what it would start RViz, or another node, with; raises where it refuses."""
+    command = ["roslaunch", "--args", node, os.path.join(ROOT, "launch", file), "rviz:=true"]
     run = subprocess.run(command + list(arguments), capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise ValueError(run.stderr)
@@ -104,6 +104,16 @@ class LaunchedBag(unittest.TestCase):
         self.assertIn("bag.launch: no /wrong in the bag, which has /lens/points (sensor_msgs/PointCloud2)",
                       words("bag.launch", "bag:=" + BAG, "input:=wrong"))
         self.assertNotIn("in the bag", words("bag.launch", "bag:=" + BAG, "input:=/lens/points"))
+
+
+class LaunchCalibrations(unittest.TestCase):
+
+    def test_are_looked_for_beside_the_image(self):
+        for image, calibration in (("/lens/depth/image", "/lens/depth/camera_info"), ("lens/image", "lens/camera_info"),
+                                   ("/image", "/camera_info"), ("image", "camera_info"),
+                                   ("image/compressedDepth", "camera_info"), ("/lens/image/compressedDepth", "/lens/camera_info")):
+            told = done("depth_image.launch", "depth:=" + image, node="/detector_points").stdout
+            self.assertRegex(told, r"camera_info:=%s\s" % calibration, image)
 
 
 class LaunchViews(unittest.TestCase):
