@@ -14,6 +14,7 @@
 #include "synthetic/paper_dataset.h"
 #include "synthetic/tabletop.h"
 #include "test/support/rendered_cloud.h"
+#include "test/support/uneven_wall.h"
 
 namespace primitect {
 namespace {
@@ -104,6 +105,16 @@ TEST_F(Allocations, AreNoneWhereTopsAreTakenApart) {
     return plane && std::abs(plane->normal.dot(std::get<Plane>(items[0].shape).normal)) > 0.999;
   });
   EXPECT_EQ(tops, 3) << "the table's and two of boxes";
+  EXPECT_EQ(allocationsOf(clouds[0], detector), 0u);
+}
+
+TEST_F(Allocations, AreNoneWhereLargePlanesAreUneven) {
+  const std::vector<Cloud> clouds = {test::renderedCloud(test::tableAndUnevenWall(0.006), {}, 1)};
+  Params params;
+  params.sensor_frame = "a_frame_with_a_name_that_takes_memory";
+  Detector detector{params};
+  warmUp(clouds, detector);
+  EXPECT_EQ(detector.result().items.size(), 2u) << "the table, and the wall by more noise";
   EXPECT_EQ(allocationsOf(clouds[0], detector), 0u);
 }
 

@@ -13,11 +13,10 @@
 #include "test/support/hypotheses.h"
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
+#include "test/support/uneven_wall.h"
 
 namespace primitect {
 namespace {
-
-constexpr double kWall = 1.7;  // m, z
 
 /// Samples of which a wall is unexplained, and a plane before them is not.
 struct Scene {
@@ -46,7 +45,7 @@ struct Scene {
       const double turn = 2.0 * M_PI / 0.15, u = random.uniform(-0.3, 0.3);
       const double v = k < count ? random.uniform(-half_height, half_height) : random.uniform(0.6, 0.7);
       const double key = random.uniform(0.0, 1.0) < keys ? 0.04 : 0.0;
-      const double z = kWall - key + waves * std::sin(turn * u) * std::sin(turn * v) + 0.5 * bent * u * u;
+      const double z = test::kUnevenWall - key + waves * std::sin(turn * u) * std::sin(turn * v) + 0.5 * bent * u * u;
       const double along_u = turn * waves * std::cos(turn * u) * std::sin(turn * v) + bent * u;
       const double along_v = turn * waves * std::sin(turn * u) * std::cos(turn * v);
       points.push_back({Vec3(u, v, z), Vec3(along_u, along_v, -1.0).normalized()});
@@ -70,7 +69,7 @@ TEST(UnevenPlanes, AreLargeWallsWithWaves) {
   ASSERT_EQ(planes.size(), 1u);
   const Plane wall = planes[0].shape;
   EXPECT_LT(test::lineAngle(wall.normal, Vec3::UnitZ()), 1.0 * test::kDegree);
-  EXPECT_NEAR(distance(wall, Vec3(0.0, 0.0, kWall)), 0.0, 0.002);
+  EXPECT_NEAR(distance(wall, Vec3(0.0, 0.0, test::kUnevenWall)), 0.0, 0.002);
   EXPECT_GT(planes[0].inliers.size(), 340u);
   EXPECT_GE(planes[0].inliers.front(), 600u) << "what is explained stays where it is";
   EXPECT_TRUE(std::is_sorted(planes[0].inliers.begin(), planes[0].inliers.end()));
@@ -85,7 +84,7 @@ TEST(UnevenPlanes, AreNotWhatIsExplained) {
 
 TEST(UnevenPlanes, TakeNothingFromOthers) {
   Scene scene;
-  scene.known = {Vec3(0.8, 0.0, kWall), -Vec3::UnitZ()};
+  scene.known = {Vec3(0.8, 0.0, test::kUnevenWall), -Vec3::UnitZ()};
   const std::vector<UnevenPlane> planes = scene.found();
   ASSERT_EQ(planes.size(), 1u);
   EXPECT_GE(planes[0].inliers.front(), 600u);
@@ -160,7 +159,7 @@ TEST(UnevenPlanes, AreNotPartsOfWhatIsKnown) {
   Scene scene;
   scene.count = 110;
   EXPECT_EQ(scene.found().size(), 1u);
-  scene.known = {Vec3(0.5, 0.0, kWall), -Vec3::UnitZ()};
+  scene.known = {Vec3(0.5, 0.0, test::kUnevenWall), -Vec3::UnitZ()};
   EXPECT_TRUE(scene.found().empty());
 }
 
@@ -170,33 +169,16 @@ TEST(UnevenPlanes, AreNotFolded) {
   EXPECT_TRUE(scene.found().empty());
 }
 
-/// A table close by, which reaches into the lower half of the image, and a wall with three crossing waves of .15 m that
-/// strays from its plane by this much (m, standard deviation).
-synthetic::World tableAndWall(double waves) {
-  constexpr double kLength = 0.15, kThick = 0.004;  // m
-  synthetic::World world;
-  const Eigen::Isometry3d table = test::tableBeforeCamera(0.75, 50.0 * test::kDegree);
-  world.add("table", synthetic::Sheet{0.4, 0.25}, table * Eigen::Translation3d(0.0, -0.2, 0.0));
-  synthetic::Cloth wall = {2.0, 2.0, kThick, {}};
-  for (std::size_t k = 0; k < wall.waves.size(); ++k) {
-    const double heading = 2.1 * static_cast<double>(k) + 0.4, turn = 2.0 * M_PI / kLength;
-    wall.waves[k] = {turn * std::cos(heading), turn * std::sin(heading), std::sqrt(2.0 / 3.0) * waves,
-                     static_cast<double>(k)};
-  }
-  world.add("wall", wall, Eigen::Translation3d(0.0, 0.0, kWall) * Eigen::Isometry3d::Identity());
-  return world;
-}
-
 /// In how many of four images the wall is found.
 int wallsFound(double waves) {
   int count = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Detector detector{Params()};
-    const Detections& found = detector.detect(test::renderedCloud(tableAndWall(waves), {}, seed));
+    const Detections& found = detector.detect(test::renderedCloud(test::tableAndUnevenWall(waves), {}, seed));
     count += std::any_of(found.items.begin(), found.items.end(), [](const Detection& item) {
       const Plane* plane = std::get_if<Plane>(&item.shape);
       return plane && test::lineAngle(plane->normal, Vec3::UnitZ()) < 3.0 * test::kDegree &&
-             std::abs(distance(*plane, Vec3(0.0, 0.0, kWall))) < 0.02;
+             std::abs(distance(*plane, Vec3(0.0, 0.0, test::kUnevenWall))) < 0.02;
     });
   }
   return count;
