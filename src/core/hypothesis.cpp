@@ -185,6 +185,14 @@ std::size_t commonInliers(const Hypothesis& a, const Hypothesis& b) {
   return both;
 }
 
+List<std::uint32_t> notHeld(const HeldGains& held) {
+  List<std::uint32_t> rest;
+  for (std::uint32_t i = 0; i < held.size(); ++i) {
+    if (!(held[i] > 0.0f)) rest.push_back(i);
+  }
+  return rest;
+}
+
 void hold(const Hypothesis& hypothesis, HeldGains& held) {
   for (const Support& support : hypothesis.support) {
     held[support.sample] = std::max(held[support.sample], support.gain);

@@ -86,6 +86,9 @@ void evaluate(const Samples& samples, const HeldGains& held, double widen, Hypot
 void inliersAround(const Vec3& point, double reach, const Samples& samples, const HeldGains& held, double widen,
                    const Hypothesis& hypothesis, List<std::uint32_t>& inliers);
 
+/// Samples that nobody holds, in rising order.
+List<std::uint32_t> notHeld(const HeldGains& held);
+
 /// Takes the gains of the hypothesis into those held.
 void hold(const Hypothesis& hypothesis, HeldGains& held);
 

@@ -62,12 +62,8 @@ Candidate facing(const Samples& samples, const SampleGraph& graph, std::uint32_t
 /// Of what nobody explains, where much of it hangs together.
 List<Candidate> candidatesOf(const Samples& samples, SampleGraph& graph, const HeldGains& held, std::size_t least) {
   constexpr std::size_t kEvery = 16;  // samples
-  List<std::uint32_t> rest;
-  for (std::uint32_t i = 0; i < held.size(); ++i) {
-    if (!(held[i] > 0.0f)) rest.push_back(i);
-  }
   List<Candidate> candidates;
-  for (const List<std::uint32_t>& part : graph.parts(rest, least)) {
+  for (const List<std::uint32_t>& part : graph.parts(notHeld(held), least)) {
     for (std::size_t k = kEvery / 2; k < part.size(); k += kEvery) {
       candidates.push_back(facing(samples, graph, part[k]));
     }
@@ -102,7 +98,9 @@ bool isClear(const UnevenPlane& plane, const Samples& samples) {
   constexpr double kNarrow = 0.06;                     // m: 20 cm from side to side
   constexpr double kAgainst = 0.1, kAgainstAll = 0.3;  // each sample, of a large plane and of one that is all there is
   const double share = static_cast<double>(plane.inliers.size()) / static_cast<double>(samples.size());
-  if (plane.confidence < kSure || plane.evidence.against > std::max(kAgainst, kAgainstAll * share)) return false;
+  if (confidenceOf(Kind::plane, plane.evidence) < kSure ||
+      plane.evidence.against > std::max(kAgainst, kAgainstAll * share))
+    return false;
   FitPoints points;
   points.gather({samples, plane.inliers});
   return deviationAcross(momentsOf(points)) >= kNarrow;
@@ -155,7 +153,6 @@ List<UnevenPlane> findUnevenPlanes(const Samples& samples, SampleGraph& graph, c
     const auto self = static_cast<std::uint32_t>(kNobody - 1 - planes.size());  // nobody else's number
     give(plane.inliers, self, owner);
     plane.evidence = gatherEvidence(noisier, graph, owner, self, hypothesis);
-    plane.confidence = confidenceOf(Kind::plane, plane.evidence);
     if (isClear(plane, samples)) {
       planes.push_back(std::move(plane));
     } else {

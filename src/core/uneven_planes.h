@@ -15,8 +15,7 @@ namespace primitect {
 struct UnevenPlane {
   Plane shape;
   List<std::uint32_t> inliers;  ///< samples that nothing else explains, in rising order
-  Evidence evidence = {};
-  double confidence = 0.0;
+  Evidence evidence = {};       ///< each sample counts for one
 };
 
 /// Planes among the samples that nothing explains yet, with twice the noise of distances and 1.5 times that of normals:
@@ -26,7 +25,7 @@ struct UnevenPlane {
 /// doors above 20,000 pixels, 16 were missing without them and 5 are with them, and one more plane is wrong. None
 /// where all samples are noisy: on tables with twice the noise, which five pixels share, narrow planes along what is
 /// round came of it. owner: of each sample, as in Selection; held: the gains of these; rules: with the noise that was
-/// measured, which is a depth camera's. Confidence as if each sample counted for one.
+/// measured, which is a depth camera's.
 List<UnevenPlane> findUnevenPlanes(const Samples& samples, SampleGraph& graph, const HeldGains& held,
                                    List<std::uint32_t> owner, const ProposalRules& rules);
 

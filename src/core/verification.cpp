@@ -109,14 +109,7 @@ HeldGains Verification::heldByChosen() const {
   return held;
 }
 
-List<std::uint32_t> Verification::unexplained() {
-  const HeldGains held = heldByChosen();
-  List<std::uint32_t> rest;
-  for (std::uint32_t i = 0; i < held.size(); ++i) {
-    if (!(held[i] > 0.0f)) rest.push_back(i);
-  }
-  return graph_.largeParts(rest, needed() / 2);
-}
+List<std::uint32_t> Verification::unexplained() { return graph_.largeParts(notHeld(heldByChosen()), needed() / 2); }
 
 /// What is nearly the same as something chosen, and worse, has had its chance.
 void Verification::dropLikenesses() {

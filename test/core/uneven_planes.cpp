@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/choice.h"
+#include "core/evidence.h"
 #include "primitect/detector.h"
 #include "test/support/hypotheses.h"
 #include "test/support/rendered_cloud.h"
@@ -73,7 +74,7 @@ TEST(UnevenPlanes, AreLargeWallsWithWaves) {
   EXPECT_GT(planes[0].inliers.size(), 340u);
   EXPECT_GE(planes[0].inliers.front(), 600u) << "what is explained stays where it is";
   EXPECT_TRUE(std::is_sorted(planes[0].inliers.begin(), planes[0].inliers.end()));
-  EXPECT_GT(planes[0].confidence, 0.9);
+  EXPECT_GT(confidenceOf(Kind::plane, planes[0].evidence), 0.9);
 }
 
 TEST(UnevenPlanes, AreNotWhatIsExplained) {
