@@ -38,8 +38,9 @@ struct JudgedSamples {
 /// Gain of a sample that has nothing to do with the shape.
 constexpr float kNoGain = -2.0f;
 
-/// Up to so many times its tolerance a sample counts, from the tolerance on against the shape.
-constexpr float kGainReach = 2.0f;
+/// Up to so many times its tolerance a sample counts, from the tolerance on against the shape. With 2, planes a small
+/// step apart, as the covers of books side by side, speak against each other, and none is found.
+constexpr float kGainReach = 1.5f;
 
 /// A sample that others hold with this gain does not speak against a shape.
 constexpr float kWellExplained = 0.1f;

@@ -226,10 +226,10 @@ TEST(Proposal, LeavesNoCurvedShapeOnASmallPatchWithNoisyNormals) {
 }
 
 TEST(Proposal, KeepsTwoParallelDiscsApart) {
-  // 12 mm apart, six standard deviations: each disc is within twice the tolerance of the other.
+  // 10.5 mm apart, five standard deviations. Within six neither was found: each spoke against the other.
   constexpr double kCoarse = 0.002;
   const NoiseModel coarse = {kCoarse, 0.0, 0.5};
-  const Plane front = {Vec3(0, 0, 1.0), Vec3(0, 0, -1)}, back = {Vec3(0, 0, 1.012), Vec3(0, 0, -1)};
+  const Plane front = {Vec3(0, 0, 1.0), Vec3(0, 0, -1)}, back = {Vec3(0, 0, 1.0105), Vec3(0, 0, -1)};
   Random random(78);
   std::vector<SurfacePoint> points;
   while (points.size() < 600) {

@@ -28,7 +28,7 @@ struct Scene {
   double half_height = 0.2;  ///< m, of the wall; half of its width is .3 m
   int strays = 0;            ///< more samples, .65 m below its middle
   double bent = 0.0;         ///< 1 / m: the wall is a part of a tube across the line of sight
-  double keys = 0.0;         ///< share of its samples that lie 4 cm nearer
+  double keys = 0.0;         ///< share of its samples that lie 3.4 cm nearer
   bool explained = false;    ///< the wall, too
   NoiseModel noise;
   Params params;
@@ -45,7 +45,7 @@ struct Scene {
     for (int k = 0; k < count + strays; ++k) {
       const double turn = 2.0 * M_PI / 0.15, u = random.uniform(-0.3, 0.3);
       const double v = k < count ? random.uniform(-half_height, half_height) : random.uniform(0.6, 0.7);
-      const double key = random.uniform(0.0, 1.0) < keys ? 0.04 : 0.0;
+      const double key = random.uniform(0.0, 1.0) < keys ? 0.034 : 0.0;
       const double z = test::kUnevenWall - key + waves * std::sin(turn * u) * std::sin(turn * v) + 0.5 * bent * u * u;
       const double along_u = turn * waves * std::cos(turn * u) * std::sin(turn * v) + bent * u;
       const double along_v = turn * waves * std::sin(turn * u) * std::cos(turn * v);
