@@ -11,7 +11,7 @@ import unittest
 import rosbag
 import rospy
 import yaml
-from sensor_msgs.msg import PointCloud2
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
@@ -33,6 +33,12 @@ def words(file, *arguments):
     return done(file, *arguments).stderr
 
 
+def checked(*arguments):
+    """What is said about bags."""
+    command = [os.path.join(ROOT, "scripts", "check_bag"), *arguments]
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=True).stderr
+
+
 def parameters(file, *arguments):
     """What it would set."""
     command = ["roslaunch", "--dump-params", os.path.join(ROOT, "launch", file)]
@@ -50,9 +56,17 @@ FILES = (("detector.launch",), ("depth_image.launch",), ("bag.launch", "bag:=" +
          ("bag.launch", "bag:=" + BAG, "depth:=/camera/depth/image_raw"))
 
 
+def bag_of(name, topics):
+    """The path of a bag with one empty message on each; topics: name -> type."""
+    path = os.path.join(FOLDER.name, name)
+    with rosbag.Bag(path, "w") as bag:
+        for topic, kind in topics.items():
+            bag.write(topic, kind(), rospy.Time(1))
+    return path
+
+
 def setUpModule():
-    with rosbag.Bag(BAG, "w") as bag:
-        bag.write("/lens/points", PointCloud2(), rospy.Time(1))
+    bag_of(os.path.basename(BAG), {"/lens/points": PointCloud2})
 
 
 def tearDownModule():
@@ -104,6 +118,32 @@ class LaunchedBag(unittest.TestCase):
         self.assertIn("bag.launch: no /wrong in the bag, which has /lens/points (sensor_msgs/PointCloud2)",
                       words("bag.launch", "bag:=" + BAG, "input:=wrong"))
         self.assertNotIn("in the bag", words("bag.launch", "bag:=" + BAG, "input:=/lens/points"))
+
+    def test_without_the_calibration_of_its_images_tells_which_it_has(self):
+        bag = bag_of("elsewhere.bag", {"/lens/image": Image, "/elsewhere/info": CameraInfo})
+        told = "bag.launch: no calibration on %s in the bag, which has /elsewhere/info (sensor_msgs/CameraInfo)"
+        self.assertIn(told % "/lens/camera_info", words("bag.launch", "bag:=" + bag, "depth:=lens/image"))
+        self.assertNotIn("in the bag", words("bag.launch", "bag:=" + bag, "depth:=lens/image",
+                                             "camera_info:=elsewhere/info"))
+        self.assertIn(told % "/lens/image", checked("--depth", "--camera-info=/lens/image", "/lens/image", bag))
+        bag = bag_of("none.bag", {"/lens/image": Image})
+        self.assertIn("in the bag, which has none", checked("--depth", "/lens/image", bag))
+
+    def test_with_something_else_on_the_topic_tells_what_it_is(self):
+        bag = bag_of("image.bag", {"/lens/image": Image, "/lens/camera_info": CameraInfo})
+        self.assertIn("bag.launch: /lens/image is a sensor_msgs/Image, not a sensor_msgs/PointCloud2 "
+                      "(depth:=/lens/image); the bag has /lens/image (sensor_msgs/Image)", checked("/lens/image", bag))
+        self.assertIn("/lens/points is a sensor_msgs/PointCloud2, not a sensor_msgs/Image (input:=/lens/points)",
+                      checked("--depth", "/lens/points", BAG))
+        self.assertIn("/lens/camera_info is a sensor_msgs/CameraInfo, not a sensor_msgs/Image; the bag has",
+                      checked("--depth", "/lens/camera_info", bag))
+        self.assertEqual(checked("--depth", "/lens/image", bag), "")
+
+    def test_with_packed_images_has_their_calibration_beside_them(self):
+        topic = "/lens/image/compressedDepth"
+        bag = bag_of("packed.bag", {topic: CompressedImage, "/lens/camera_info": CameraInfo})
+        self.assertEqual(checked("--depth", topic, bag), "")
+        self.assertIn("not a sensor_msgs/CompressedImage", checked("--depth", topic, bag_of("raw.bag", {topic: Image})))
 
 
 class LaunchCalibrations(unittest.TestCase):
