@@ -13,12 +13,12 @@ Uncertainty uncertain(double radius_stddev, double half_angle_stddev = 0.0) {
 
 TEST(TrustInSize, IsFullWhereThePointsDetermineTheRadius) {
   EXPECT_EQ(trustInSize(Sphere{Vec3::Zero(), 0.1}, uncertain(0.001)), 1.0);
-  EXPECT_EQ(trustInSize(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.005)), 1.0);
+  EXPECT_EQ(trustInSize(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.0095)), 1.0);
 }
 
 TEST(TrustInSize, IsGoneWhereTheRadiusIsLeftOpen) {
   EXPECT_EQ(trustInSize(Sphere{Vec3::Zero(), 0.1}, uncertain(0.01)), 0.0);
-  EXPECT_EQ(trustInSize(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.02)), 0.0);
+  EXPECT_EQ(trustInSize(Cylinder{Vec3::Zero(), Vec3::UnitZ(), 0.1}, uncertain(0.0205)), 0.0);
 }
 
 TEST(TrustInSize, GoesDownInBetween) {
