@@ -54,7 +54,7 @@ Features featuresOf(Kind kind, const Evidence& e) {
 }
 
 // A row a kind. Those of balls and cones are what eval/calibrate printed, that of planes is of an earlier fit, with a
-// tenth more for what is against, which is less since (kGainReach), that of tubes the mean of an earlier one and what
+// tenth more for what is against, which is less since (noise.cpp), that of tubes the mean of an earlier one and what
 // it printed, but for the last number (eval/README.md). Of tubes it printed
 // -10, 1.82, 1.29, -16, -3.98, 4.03, 3.51, 0, 1.9: with that 96.8 / 91.9 % instead of 97.3 / 92.4 on tables seen by
 // a stereo camera (compare --set tabletop --sensor stereo --seeds 5000:40). Of planes -6.54, 0.685, 9.46, -9.82, -2.65,

@@ -106,7 +106,7 @@ void scoreWith(const Samples& samples, const HeldGains& held, double widen, Hypo
     use(block, gains);
   };
   forGains(
-      samples, held, widen, kernels::kGainReach, hypothesis, room, [](const SampleBlock&) { return true; }, add);
+      samples, held, widen, samples.gain_reach, hypothesis, room, [](const SampleBlock&) { return true; }, add);
   hypothesis.score = counted - priceOf(kindOf(hypothesis.shape), static_cast<double>(hypothesis.inliers));
 }
 

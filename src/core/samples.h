@@ -23,6 +23,7 @@ struct Samples {
   List<float> sigma;         ///< m, noise of the distance to a surface; see NoiseModel
   /// What applyNoise() makes of the noise for the loops; see kernels/loops.h.
   List<float> inverse_tolerance, normal_loss, farthest_turn;
+  float gain_reach = 0.0f;
   List<std::uint32_t> index;  ///< of the point in the cloud
   SampleBlocks blocks;        ///< made by applyNoise()
   /// How many are of the first of several draws: later ones leave large planes out. 0: there is only one.
@@ -44,6 +45,7 @@ struct Samples {
     add(normal_sigma, more.normal_sigma), add(sigma, more.sigma);
     add(inverse_tolerance, more.inverse_tolerance), add(normal_loss, more.normal_loss);
     add(farthest_turn, more.farthest_turn);
+    gain_reach = more.gain_reach;
     blocks.append(more.blocks, index.size());
     add(index, more.index);
   }
@@ -89,7 +91,8 @@ struct Samples {
             inverse_tolerance.data(),
             normal_loss.data(),
             farthest_turn.data(),
-            nullptr};
+            nullptr,
+            gain_reach};
   }
 
  private:

@@ -33,14 +33,11 @@ struct JudgedSamples {
   const float* normal_loss;        ///< what 1 - cos of the normals' angle takes from the gain
   const float* farthest_turn;      ///< 1 - cos from which on a normal belongs to another surface
   const float* held;               ///< best gain that other shapes have; null when no sums are wanted
+  float reach;                     ///< up to so many times its tolerance a sample counts, from 1 on against the shape
 };
 
 /// Gain of a sample that has nothing to do with the shape.
 constexpr float kNoGain = -2.0f;
-
-/// Up to so many times its tolerance a sample counts, from the tolerance on against the shape. With 2, planes a small
-/// step apart, as the covers of books side by side, speak against each other, and none is found.
-constexpr float kGainReach = 1.5f;
 
 /// A sample that others hold with this gain does not speak against a shape.
 constexpr float kWellExplained = 0.1f;

@@ -44,7 +44,7 @@ Samples randomSamples(std::size_t count, Random& random) {
 double gainOf(const Shape& shape, double side, double widen, const Samples& samples, std::size_t i) {
   const double share = distance(shape, samples.point(i)) * samples.inverse_tolerance[i] / widen;
   const double turn = 1.0 - side * samples.normal(i).dot(normalAt(shape, samples.placeOfNormal(i)));
-  if (!(std::abs(share) < 1.5 && turn < samples.farthest_turn[i])) return kernels::kNoGain;
+  if (!(std::abs(share) < samples.gain_reach && turn < samples.farthest_turn[i])) return kernels::kNoGain;
   return std::max(1.0 - share * share - samples.normal_loss[i] * turn, -1.2);
 }
 
