@@ -92,9 +92,9 @@ TEST_P(CloseHeights, AreBothFoundOnce) {
           if (lower != upper) once += (lower.size() == 1 ? 1 : 0) + (upper.size() == 1 ? 1 : 0);
         }
       }
-      // One of a hundred is missing; where they are 1 mm and a few samples apart, one plane over both may pass for a
-      // level one. Half were missing.
-      EXPECT_GE(once, tops - 1) << 1e3 * higher << " mm, " << sizes.length << " m";
+      // With noise one of a hundred is missing; where they are 1 mm and a few samples apart, one plane over both may
+      // pass for a level one. Half were missing.
+      EXPECT_GE(once, noise || higher < 0.0015 ? tops - 1 : tops) << 1e3 * higher << " mm, " << sizes.length << " m";
     }
   }
 }
