@@ -29,7 +29,7 @@ endif()
 
 # Sets DONE where nothing is to be built: the test is left out, or that of another build is run. Of a static library a test
 # has a part of its own and must be built.
-function(primitect_sanitized_test done name)
+function(primitect_sanitized_test done name program)
   set(${done} FALSE PARENT_SCOPE)
   if(PRIMITECT_SANITIZE AND name IN_LIST PRIMITECT_NOT_SANITIZED)
     set(${done} TRUE PARENT_SCOPE)
@@ -45,7 +45,7 @@ function(primitect_sanitized_test done name)
       endif()
     endif()
   endforeach()
-  add_test(NAME ${name} COMMAND ${PRIMITECT_TESTS_FROM}/devel/lib/primitect/test_${name})
+  add_test(NAME ${name} COMMAND ${PRIMITECT_TESTS_FROM}/devel/lib/primitect/test_${program} ${name})
   set_tests_properties(${name} PROPERTIES ENVIRONMENT "${sanitizer_options};${sanitized_libraries}")
   set(${done} TRUE PARENT_SCOPE)
 endfunction()

@@ -1,17 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-# primitect_test(NAME LIBRARIES...): a gtest from NAME.cpp in the current folder.
+# primitect_tests(PROGRAM TESTS name... LIBRARIES name...): gtests from files name.cpp in the current folder, one program,
+# test_PROGRAM; to ctest each file is a test. primitect_test(NAME LIBRARIES...): a program of one file.
 # Target `tests` builds all of them; ctest runs them. With sanitizers some are left out or made of another build, then
-# there is no target test_NAME: see sanitized_tests.cmake.
+# there may be no target test_PROGRAM: see sanitized_tests.cmake.
 
 if(NOT TARGET tests)
   add_custom_target(tests)
 endif()
 find_package(GTest REQUIRED)
 
-# What takes long to compile and many tests need, compiled once: headers, decompositions, patterns, JSON.
+# What takes long to compile and many tests need, compiled once: headers, decompositions, patterns, JSON; and main().
 add_library(primitect_test_support STATIC EXCLUDE_FROM_ALL
-  ${PROJECT_SOURCE_DIR}/test/support/linear_algebra.cpp ${PROJECT_SOURCE_DIR}/test/support/text.cpp)
+  ${PROJECT_SOURCE_DIR}/test/support/linear_algebra.cpp ${PROJECT_SOURCE_DIR}/test/support/main.cpp
+  ${PROJECT_SOURCE_DIR}/test/support/text.cpp)
 target_link_libraries(primitect_test_support PUBLIC GTest::gtest)
 target_include_directories(primitect_test_support PRIVATE ${PROJECT_SOURCE_DIR})
 target_include_directories(primitect_test_support SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})
@@ -39,29 +41,50 @@ endif()
 
 include(cmake/sanitized_tests.cmake)
 
-function(primitect_test name)
-  primitect_sanitized_test(done ${name} ${ARGN})
-  if(done)
+# One of ctest's tests: what NAME.cpp has in test_PROGRAM. In a ROS build with catkin's report, for `run_tests`.
+function(primitect_add_test name program)
+  if(PRIMITECT_ROS)
+    get_target_property(folder test_${program} RUNTIME_OUTPUT_DIRECTORY)
+    set(report gtest-test_${name}.xml)
+    catkin_run_tests_target(gtest test_${name} ${report} DEPENDENCIES test_${program}
+      COMMAND "${folder}/test_${program} ${name} --gtest_output=xml:${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/${report}")
+  else()
+    add_test(NAME ${name} COMMAND test_${program} ${name})
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${sanitizer_options}")
+  endif()
+endfunction()
+
+function(primitect_tests program)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;LIBRARIES")
+  set(tests)
+  foreach(name ${arg_TESTS})
+    primitect_sanitized_test(done ${name} ${program} ${arg_LIBRARIES})
+    if(NOT done)
+      list(APPEND tests ${name})
+    endif()
+  endforeach()
+  if(NOT tests)
     return()
   endif()
-  if(PRIMITECT_ROS)
-    catkin_add_gtest(test_${name} ${name}.cpp)
-  else()
-    add_executable(test_${name} EXCLUDE_FROM_ALL ${name}.cpp)
-    target_link_libraries(test_${name} GTest::gtest)
-    add_test(NAME ${name} COMMAND test_${name})
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${sanitizer_options}")
-    add_dependencies(tests test_${name})
-  endif()
-  target_link_libraries(test_${name} primitect_test_support GTest::gtest_main ${ARGN})
+  list(TRANSFORM tests APPEND .cpp OUTPUT_VARIABLE files)
+  add_executable(test_${program} EXCLUDE_FROM_ALL ${files})
+  add_dependencies(tests test_${program})
+  foreach(name ${tests})
+    primitect_add_test(${name} ${program})
+  endforeach()
+  target_link_libraries(test_${program} primitect_test_support ${arg_LIBRARIES})
   # What comes with PCL is compiled with -fPIC, which the precompiled headers do not fit.
-  if("${ARGN}" MATCHES "pcl_common")
-    target_include_directories(test_${name} SYSTEM PRIVATE ${PCL_INCLUDE_DIRS})
+  if("${arg_LIBRARIES}" MATCHES "pcl_common")
+    target_include_directories(test_${program} SYSTEM PRIVATE ${PCL_INCLUDE_DIRS})
   else()
-    target_precompile_headers(test_${name} REUSE_FROM primitect_test_support)
+    target_precompile_headers(test_${program} REUSE_FROM primitect_test_support)
   endif()
-  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_include_directories(test_${name} SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})
-  target_compile_definitions(test_${name} PRIVATE
+  target_include_directories(test_${program} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_include_directories(test_${program} SYSTEM PRIVATE ${EIGEN3_INCLUDE_DIRS})
+  target_compile_definitions(test_${program} PRIVATE
     PRIMITECT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PRIMITECT_TOOLS_DIR="${CMAKE_BINARY_DIR}/devel/lib/primitect")
+endfunction()
+
+function(primitect_test name)
+  primitect_tests(${name} TESTS ${name} LIBRARIES ${ARGN})
 endfunction()

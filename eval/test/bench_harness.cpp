@@ -17,6 +17,7 @@
 using namespace primitect;
 using namespace primitect::bench;
 
+namespace bench_harness_test {
 namespace {
 
 /// Where the compiler cannot see that nobody reads it.
@@ -137,3 +138,4 @@ TEST(FrameWithObjects, RefusesMoreThanHaveRoom) {
 }
 
 }  // namespace
+}  // namespace bench_harness_test

@@ -7,6 +7,7 @@
 
 #include "eval/test/hand_made.h"
 
+namespace case_score_test {
 namespace {
 
 using namespace primitect;
@@ -268,3 +269,4 @@ TEST(Counts, AddUpFieldByField) {
 }
 
 }  // namespace
+}  // namespace case_score_test

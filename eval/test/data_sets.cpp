@@ -13,6 +13,7 @@
 #include "eval/depth_frames.h"
 #include "eval/methods.h"
 
+namespace data_sets_test {
 namespace {
 
 using namespace primitect;
@@ -520,3 +521,4 @@ TEST(Methods, TakeParametersFromTheirText) {
 }
 
 }  // namespace
+}  // namespace data_sets_test

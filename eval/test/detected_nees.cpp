@@ -11,7 +11,7 @@
 #include "test/support/fit_errors.h"
 #include "test/support/noisy_points.h"
 
-namespace primitect::eval {
+namespace primitect::eval::detected_nees_test {
 namespace {
 
 using test::kKinds;
@@ -105,4 +105,4 @@ TEST(Detections, ErrAsTheirCovariancesSay) {
 }
 
 }  // namespace
-}  // namespace primitect::eval
+}  // namespace primitect::eval::detected_nees_test

@@ -10,6 +10,7 @@
 
 #include "core/random.h"
 
+namespace nees_test {
 namespace {
 
 using namespace primitect;
@@ -143,3 +144,4 @@ TEST(NormalisedErrors, AreAsManyAsTheirDegreesInTheMean) {
 }
 
 }  // namespace
+}  // namespace nees_test

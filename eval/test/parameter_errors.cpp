@@ -9,6 +9,7 @@
 
 #include "eval/test/hand_made.h"
 
+namespace parameter_errors_test {
 namespace {
 
 using namespace primitect;
@@ -77,3 +78,4 @@ TEST(ParameterErrors, RefuseShapesOfDifferentKinds) {
 }
 
 }  // namespace
+}  // namespace parameter_errors_test

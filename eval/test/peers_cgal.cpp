@@ -12,7 +12,7 @@
 #include "eval/test/peers_find.h"
 #include "test/io/temporary_folder.h"
 
-namespace primitect::eval {
+namespace primitect::eval::peers_cgal_test {
 namespace {
 
 using namespace primitect::test;
@@ -152,4 +152,4 @@ TEST(ChildProgram, IsEndedWhenItTakesTooLong) {
 }
 
 }  // namespace
-}  // namespace primitect::eval
+}  // namespace primitect::eval::peers_cgal_test

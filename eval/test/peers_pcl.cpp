@@ -9,7 +9,7 @@
 #include "eval/peers/points.h"
 #include "eval/test/peers_find.h"
 
-namespace primitect::eval {
+namespace primitect::eval::peers_pcl_test {
 namespace {
 
 using namespace primitect::test;
@@ -119,4 +119,4 @@ TEST(DrawnPoints, AreDifferentOnesAndTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace primitect::eval
+}  // namespace primitect::eval::peers_pcl_test

@@ -9,6 +9,7 @@
 #include "eval/metrics.h"
 #include "eval/test/hand_made.h"
 
+namespace point_measures_test {
 namespace {
 
 using namespace primitect;
@@ -155,3 +156,4 @@ TEST(Coverage, OfAShapeTakesTheDistanceToItAndNotToACloserOneWithAnotherNormal) 
 }
 
 }  // namespace
+}  // namespace point_measures_test

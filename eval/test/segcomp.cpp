@@ -9,6 +9,7 @@
 
 #include "eval/test/hand_made.h"
 
+namespace segcomp_test {
 namespace {
 
 using namespace primitect;
@@ -125,3 +126,4 @@ TEST(KindAccuracy, GivesNothingToARegionThatNothingTouches) {
 }
 
 }  // namespace
+}  // namespace segcomp_test

@@ -13,7 +13,7 @@
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect::eval {
+namespace primitect::eval::touching_nees_test {
 namespace {
 
 constexpr int kSeeds = 50;
@@ -91,4 +91,4 @@ TEST(ShapesThatTouch, ErrAsTheirCovariancesSay) {
 }
 
 }  // namespace
-}  // namespace primitect::eval
+}  // namespace primitect::eval::touching_nees_test

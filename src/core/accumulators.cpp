@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/degree.h"
+
 namespace primitect {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// Index of the strongest bin; nothing when there cannot be more than `beaten` votes in any neighbourhood.
 std::optional<int> strongestBin(const kernels::Bins& bins, double beaten) {

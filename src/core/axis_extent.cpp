@@ -13,7 +13,7 @@ namespace {
 
 /// For the mean, and the ends, where 1 % of the points lie beyond: 20 of these. Prime: the step through the points is
 /// then seldom in time with the rows of an image.
-constexpr std::size_t kMostPoints = 2039;
+constexpr std::size_t kMostExtentPoints = 2039;
 
 /// Where along point + t * axis the inliers lie.
 struct AxisRange {
@@ -53,10 +53,10 @@ double narrowEnd(double end, double outermost, double next, double one, double t
   return areaOf(next) - areaOf(outermost) > kStraggler * hundredth / count ? next : outermost;
 }
 
-AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers, Surface surface,
+AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostExtentPoints>& inliers, Surface surface,
                      Ends ends) {
   constexpr double kStragglers = 0.01;
-  float heights[SomePoints<kMostPoints>::kRoom];
+  float heights[SomePoints<kMostExtentPoints>::kRoom];
   heightsAlong(axis, inliers.x, inliers.y, inliers.z, inliers.count, heights);
   const auto few = static_cast<std::size_t>(kStragglers * static_cast<double>(inliers.count));
   float *const end = heights + inliers.count, *const low = heights + few, *const high = end - 1 - few;
@@ -83,14 +83,15 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMost
 }
 
 /// x of the frame: from the axis towards the side that was seen.
-Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis, const SomePoints<kMostPoints>& inliers) {
+Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis,
+                                     const SomePoints<kMostExtentPoints>& inliers) {
   return frameAround(axis, inliers.mean() - point);
 }
 
 }  // namespace
 
 Extent extentAlong(const Cylinder& cylinder, const SeenPoints& inliers, Ends ends) {
-  const SomePoints<kMostPoints> some(inliers);
+  const SomePoints<kMostExtentPoints> some(inliers);
   const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some, Surface::even, ends);
   Extent extent;
   extent.origin = cylinder.point + 0.5 * (range.low + range.high) * cylinder.axis;
@@ -102,7 +103,7 @@ Extent extentAlong(const Cylinder& cylinder, const SeenPoints& inliers, Ends end
 }
 
 Extent extentAlong(const Cone& cone, const SeenPoints& inliers, Ends ends) {
-  const SomePoints<kMostPoints> some(inliers);
+  const SomePoints<kMostExtentPoints> some(inliers);
   AxisRange range = rangeAlong(cone.apex, cone.axis, some, Surface::tapered, ends);
   range.low = std::max(range.low, 0.0);
   range.high = std::max(range.high, range.low);

@@ -13,17 +13,17 @@ namespace primitect {
 namespace {
 
 /// Of the whole length; at an end so many of them are looked at, of which the next part may be so many.
-constexpr std::size_t kRings = 60, kMostTried = 24, kMost = 15;
+constexpr std::size_t kRingsAlong = 60, kMostTried = 24, kMost = 15;
 
-constexpr std::size_t kMostPoints = 2039;  // prime: seldom in time with the rows of an image
+constexpr std::size_t kMostEndPoints = 2039;  // prime: seldom in time with the rows of an image
 
 /// Rings around the axis, from one end to the other.
 struct Rings {
-  std::array<double, kRings> count = {};      ///< points
-  std::array<double, kRings> distances = {};  ///< their sum, in standard deviations of the noise
+  std::array<double, kRingsAlong> count = {};      ///< points
+  std::array<double, kRingsAlong> distances = {};  ///< their sum, in standard deviations of the noise
 
-  Rings(const SomePoints<kMostPoints>& points, const PointNoise& noise, const Shape& shape, const Extent& extent) {
-    constexpr std::size_t kRoom = SomePoints<kMostPoints>::kRoom;
+  Rings(const SomePoints<kMostEndPoints>& points, const PointNoise& noise, const Shape& shape, const Extent& extent) {
+    constexpr std::size_t kRoom = SomePoints<kMostEndPoints>::kRoom;
     float distance[kRoom], sigma[kRoom], height[kRoom];
     const kernels::FlatShape flat = flattened(shape, points.origin);
     kernels::loops().distances(flat, points.x, points.y, points.z, points.filled(), distance);
@@ -32,8 +32,8 @@ struct Rings {
     heightsAlong(axis, points.x, points.y, points.z, points.count, height);
     const double length = extent.size.z(), low = axis.dot(extent.origin - points.origin) - 0.5 * length;
     for (std::size_t k = 0; k < points.count; ++k) {
-      const double ring = (height[k] - low) / length * kRings;
-      if (!(ring >= 0.0 && ring < kRings)) continue;
+      const double ring = (height[k] - low) / length * kRingsAlong;
+      if (!(ring >= 0.0 && ring < kRingsAlong)) continue;
       count[static_cast<std::size_t>(ring)] += 1.0;
       distances[static_cast<std::size_t>(ring)] += distance[k] / sigma[k];
     }
@@ -47,14 +47,14 @@ struct Rings {
   /// The share of the points that lies in the rings [begin, end).
   double shareOf(std::size_t begin, std::size_t end) const {
     double all = 0.0, some = 0.0;
-    for (std::size_t k = 0; k < kRings; ++k) all += count[k], some += k >= begin && k < end ? count[k] : 0.0;
+    for (std::size_t k = 0; k < kRingsAlong; ++k) all += count[k], some += k >= begin && k < end ? count[k] : 0.0;
     return some / all;
   }
 
   /// The mean distance where no next part is looked for.
   double middle() const {
     double points = 0.0, sum = 0.0;
-    for (std::size_t k = kMostTried; k < kRings - kMostTried; ++k) points += count[k], sum += distances[k];
+    for (std::size_t k = kMostTried; k < kRingsAlong - kMostTried; ++k) points += count[k], sum += distances[k];
     return points > 0.0 ? sum / points : 0.0;
   }
 };
@@ -89,7 +89,7 @@ std::size_t bentRings(const Rings& rings) {
   if (bent == 0 || bent > kMost) return 0;
   // Where the rest strays, too, from ring to ring, the shape does not fit at all.
   double rest = 0.0;
-  for (std::size_t k = bent; k < kRings - kMost; ++k) {
+  for (std::size_t k = bent; k < kRingsAlong - kMost; ++k) {
     if (rings.count[k] > 0.0) rest += strays(k) * strays(k) / rings.count[k] - 1.0;
   }
   return most > kTimesTheRest * rest ? bent : 0;
@@ -99,16 +99,16 @@ std::size_t bentRings(const Rings& rings) {
 
 double endWhereItBends(const SeenPoints& points, const PointNoise& sigma, const Shape& shape, Extent& extent) {
   if (!hasAxis(kindOf(shape)) || points.empty() || !(extent.size.z() > 0.0)) return 1.0;
-  Rings rings(SomePoints<kMostPoints>(points), sigma, shape, extent);
+  Rings rings(SomePoints<kMostEndPoints>(points), sigma, shape, extent);
   const std::size_t low = bentRings(rings);
   rings.turnRound();
   const std::size_t high = bentRings(rings);
   if (low + high == 0) return 1.0;
   // A part is less than the whole: two rings with nothing between them are no ends of anything.
   constexpr double kLeast = 0.5;
-  const double left = rings.shareOf(high, kRings - low);
+  const double left = rings.shareOf(high, kRingsAlong - low);
   if (left < kLeast) return 1.0;
-  const double ring = extent.size.z() / kRings;
+  const double ring = extent.size.z() / kRingsAlong;
   moveEnds(static_cast<double>(low) * ring, -static_cast<double>(high) * ring, shape, extent);
   return left;
 }

@@ -16,12 +16,12 @@ namespace {
 /// The correction is a mean over so many points at most. Along rays it can be many times the random error, and its
 /// tenth still is as much; otherwise more than these take 4 % of the instructions of the paper's scenes, and errors are
 /// no smaller.
-constexpr std::size_t kMostPoints = 251, kMostAlongRays = 1021;
-using Points = SomePoints<kMostAlongRays>;
-constexpr std::size_t kRoom = Points::kRoom;
+constexpr std::size_t kMostAcrossRays = 251, kMostAlongRays = 1021;
+using BiasPoints = SomePoints<kMostAlongRays>;
+constexpr std::size_t kRoom = BiasPoints::kRoom;
 
-/// Sums over the points that took part in the fit.
-struct Sums {
+/// BiasSums over the points that took part in the fit.
+struct BiasSums {
   Hessian information = Hessian::Zero();  ///< of g g' / sigma^2
   Gradient bias = Gradient::Zero();       ///< of E[r g] / sigma^2
   double measured = 0.0;                  ///< of (r / sigma)^2
@@ -33,7 +33,7 @@ struct Noise {
   float sigma[kRoom], weight[kRoom];
 };
 
-Noise noiseOf(const Points& points, const Feet<kRoom>& feet, const PointNoise& sigma) {
+Noise noiseOf(const BiasPoints& points, const Feet<kRoom>& feet, const PointNoise& sigma) {
   Noise noise;
   sigma.at(points, noise.sigma);
   for (std::size_t k = 0; k < points.count; ++k) {
@@ -44,7 +44,7 @@ Noise noiseOf(const Points& points, const Feet<kRoom>& feet, const PointNoise& s
 }
 
 /// Adds half of r g / sigma^2 at the points moved so far (m) from the surface.
-void addBias(const Shape& shape, const Points& points, const Noise& noise, float* const* place, Sums& sums) {
+void addBias(const Shape& shape, const BiasPoints& points, const Noise& noise, float* const* place, BiasSums& sums) {
   // Not for what fills up: of these nothing is asked.
   const Feet<kRoom> feet(shape, points.origin, place[0], place[1], place[2], points.count);
   const FlatGradients<kRoom> gradients(shape, points.origin, place[0], place[1], place[2], feet, points.count);
@@ -58,8 +58,8 @@ void addBias(const Shape& shape, const Points& points, const Noise& noise, float
 }
 
 /// The mean of r g for noise that is symmetric around the surface: from a standard deviation above and below.
-void addBothSides(const Shape& shape, const Points& points, const Feet<kRoom>& feet, const Noise& noise,
-                  const float* const* direction, Sums& sums) {
+void addBothSides(const Shape& shape, const BiasPoints& points, const Feet<kRoom>& feet, const Noise& noise,
+                  const float* const* direction, BiasSums& sums) {
   float x[kRoom], y[kRoom], z[kRoom];
   float* const place[] = {x, y, z};
   for (const float side : {1.0f, -1.0f}) {
@@ -74,7 +74,8 @@ void addBothSides(const Shape& shape, const Points& points, const Feet<kRoom>& f
 }
 
 /// Of a camera: along p / p.z.
-void addAlongRays(const Shape& shape, const Points& points, const Feet<kRoom>& feet, const Noise& noise, Sums& sums) {
+void addAlongRays(const Shape& shape, const BiasPoints& points, const Feet<kRoom>& feet, const Noise& noise,
+                  BiasSums& sums) {
   float x[kRoom], y[kRoom], z[kRoom];
   const Eigen::Vector3f origin = points.origin.cast<float>();
   for (std::size_t k = 0; k < points.count; ++k) {
@@ -87,7 +88,8 @@ void addAlongRays(const Shape& shape, const Points& points, const Feet<kRoom>& f
   addBothSides(shape, points, feet, noise, ray, sums);
 }
 
-void addAllAxes(const Shape& shape, const Points& points, const Feet<kRoom>& feet, const Noise& noise, Sums& sums) {
+void addAllAxes(const Shape& shape, const BiasPoints& points, const Feet<kRoom>& feet, const Noise& noise,
+                BiasSums& sums) {
   float one[kRoom], none[kRoom];
   std::fill_n(one, points.count, 1.0f);
   std::fill_n(none, points.count, 0.0f);
@@ -98,11 +100,11 @@ void addAllAxes(const Shape& shape, const Points& points, const Feet<kRoom>& fee
   for (std::size_t k = 0; k < points.count; ++k) sums.expected += noise.weight[k] > 0.0f ? 1.0 : 0.0;
 }
 
-Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma, NoiseDirection direction) {
+BiasSums sumsOf(const Shape& shape, const BiasPoints& points, const PointNoise& sigma, NoiseDirection direction) {
   const Feet<kRoom> feet(shape, points);
   const Noise noise = noiseOf(points, feet, sigma);
   const FlatGradients<kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet, points.count);
-  Sums sums;
+  BiasSums sums;
   sums.information = sumOfSquares(gradients, noise.weight, points.count);
   for (std::size_t k = 0; k < points.count; ++k) {
     const float share = feet.distance[k] * noise.weight[k];
@@ -113,25 +115,27 @@ Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma, N
   return sums;
 }
 
-bool usable(const Plane& plane) { return plane.point.allFinite() && plane.normal.allFinite(); }
-bool usable(const Sphere& sphere) { return sphere.center.allFinite() && sphere.radius > 0.0; }
-bool usable(const Cylinder& cylinder) { return cylinder.point.allFinite() && cylinder.radius > 0.0; }
-bool usable(const Cone& cone) { return cone.apex.allFinite() && 0.0 < cone.half_angle && cone.half_angle < M_PI / 2.0; }
+bool isSound(const Plane& plane) { return plane.point.allFinite() && plane.normal.allFinite(); }
+bool isSound(const Sphere& sphere) { return sphere.center.allFinite() && sphere.radius > 0.0; }
+bool isSound(const Cylinder& cylinder) { return cylinder.point.allFinite() && cylinder.radius > 0.0; }
+bool isSound(const Cone& cone) {
+  return cone.apex.allFinite() && 0.0 < cone.half_angle && cone.half_angle < M_PI / 2.0;
+}
 
 template <class T>
-T corrected(const T& shape, Sums sums) {
+T corrected(const T& shape, BiasSums sums) {
   const double noise_sq = std::clamp(sums.measured / sums.expected, 0.0, 1.5);
   sums.information.diagonal().array() += 1e-9 * sums.information.trace() + 1e-12;
   const Gradient step = noise_sq * sums.information.ldlt().solve(sums.bias);
   const T result = stepped(shape, step);
-  return step.allFinite() && usable(result) ? result : shape;
+  return step.allFinite() && isSound(result) ? result : shape;
 }
 
 }  // namespace
 
 Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, NoiseDirection direction) {
-  const Points points(inliers, direction == NoiseDirection::along_ray ? kMostAlongRays : kMostPoints);
-  const Sums sums = sumsOf(shape, points, sigma, direction);
+  const BiasPoints points(inliers, direction == NoiseDirection::along_ray ? kMostAlongRays : kMostAcrossRays);
+  const BiasSums sums = sumsOf(shape, points, sigma, direction);
   return std::visit([&sums](const auto& s) -> Shape { return corrected(s, sums); }, shape);
 }
 

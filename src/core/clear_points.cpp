@@ -21,7 +21,7 @@ namespace {
 
 /// Points that are looked at together. Those of a list are spread over their shape, so that fewer are hardly farther
 /// from others: with 128 the paper's scenes take .4 % more instructions.
-constexpr std::size_t kAtOnce = 512;
+constexpr std::size_t kPlacesAtOnce = 512;
 
 /// In pixels the noise of a depth camera reaches about equally far from 0.5 to 1.5 m: three standard deviations are 3
 /// pixels of an image 640 wide at 1 m. Measured on 20 tables: with 2 NEES of spheres is 2.7 instead of 1.1, with 4
@@ -56,12 +56,12 @@ struct Ball {
   }
 };
 
-/// Places on a shape, with what is known of them so far.
-struct Places {
+/// PlacesOnShape on a shape, with what is known of them so far.
+struct PlacesOnShape {
   std::size_t count;
-  float x[kAtOnce], y[kAtOnce], z[kAtOnce];
-  float reach[kAtOnce];          ///< m
-  std::uint32_t clear[kAtOnce];  ///< 1 or 0: as wide as what it is worked out from
+  float x[kPlacesAtOnce], y[kPlacesAtOnce], z[kPlacesAtOnce];
+  float reach[kPlacesAtOnce];          ///< m
+  std::uint32_t clear[kPlacesAtOnce];  ///< 1 or 0: as wide as what it is worked out from
 
   Ball ball() const { return {x, y, z, reach, count}; }
 };
@@ -69,7 +69,7 @@ struct Places {
 /// The places of points on the surface, which noise across it does not move: to leave out points by where they
 /// themselves are would keep those that it moved away from the neighbour. Clear are those whose normal agrees.
 void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection& detection, const NoiseModel& noise,
-                const std::uint32_t* points, Places& places) {
+                const std::uint32_t* points, PlacesOnShape& places) {
   constexpr double kReach = 3.5;  // standard deviations: both sides of where two shapes meet
   float *x = places.x, *y = places.y, *z = places.z;
   const bool by_normals = normals.taken && cloud.hasNormals();
@@ -80,7 +80,7 @@ void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection
     // They come from all over the cloud: on their way while feet are found.
     __builtin_prefetch(&cloud.nx[i]), __builtin_prefetch(&cloud.ny[i]), __builtin_prefetch(&cloud.nz[i]);
   }
-  const Feet<kAtOnce> feet(detection.shape, Vec3::Zero(), x, y, z, places.count);
+  const Feet<kPlacesAtOnce> feet(detection.shape, Vec3::Zero(), x, y, z, places.count);
   kernels::loops().tolerances(flattened(noise, kReach), z, places.count, places.reach);
   const float side = detection.concave ? -1.0f : 1.0f, least = static_cast<float>(std::cos(noise.angle));
   for (std::size_t k = 0; k < places.count; ++k) {
@@ -97,8 +97,8 @@ void findPlaces(const Cloud& cloud, const CloudNormals& normals, const Detection
 }
 
 /// Those within reach of another detection's observed part are not clear.
-void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, Places& places) {
-  float distance[kAtOnce], depth[kAtOnce];
+void leaveOutNear(const kernels::FlatShape& shape, const ObservedPart& part, PlacesOnShape& places) {
+  float distance[kPlacesAtOnce], depth[kPlacesAtOnce];
   kernels::loops().distances(shape, places.x, places.y, places.z, places.count, distance);
   kernels::loops().depths(part.view(), places.x, places.y, places.z, places.count, depth);
   for (std::size_t k = 0; k < places.count; ++k) {
@@ -183,9 +183,9 @@ List<std::uint32_t> ClearPoints::surrounded(std::uint32_t label, const List<std:
 List<std::uint32_t> ClearPoints::apart(std::size_t detection, const List<std::uint32_t>& points) const {
   List<std::uint32_t> result;
   result.reserve(points.size());
-  Places places;
-  for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
-    places.count = std::min(kAtOnce, points.size() - begin);
+  PlacesOnShape places;
+  for (std::size_t begin = 0; begin < points.size(); begin += kPlacesAtOnce) {
+    places.count = std::min(kPlacesAtOnce, points.size() - begin);
     findPlaces(cloud_, normals_, detections_[detection], noise_, points.data() + begin, places);
     const Ball ball = places.ball();
     for (std::size_t k = 0; k < others_.size(); ++k) {

@@ -15,9 +15,9 @@
 namespace primitect {
 namespace {
 
-/// Sums over the points that took part in the fit; g: gradient of the distance, u = distance / sigma, and
+/// FitSums over the points that took part in the fit; g: gradient of the distance, u = distance / sigma, and
 /// psi(u) = u (1 - (u / 3)^2)^2 of Tukey's biweight.
-struct Sums {
+struct FitSums {
   double count = 0.0;
   Hessian information = Hessian::Zero();  ///< of g g' / sigma^2
   Hessian scores = Hessian::Zero();       ///< of psi^2 g g' / sigma^2
@@ -27,13 +27,13 @@ struct Sums {
 };
 
 /// A mean over more points would differ by less than its own scatter: 6 % of variances, 3 % of deviations.
-constexpr std::size_t kMostPoints = 509;
-using Points = SomePoints<kMostPoints>;
+constexpr std::size_t kMostFitPoints = 509;
+using SomeInliers = SomePoints<kMostFitPoints>;
 
-Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma) {
-  const Feet<Points::kRoom> feet(shape, points);
-  Sums sums;
-  float one[Points::kRoom], inverse[Points::kRoom], score[Points::kRoom];
+FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& sigma) {
+  const Feet<SomeInliers::kRoom> feet(shape, points);
+  FitSums sums;
+  float one[SomeInliers::kRoom], inverse[SomeInliers::kRoom], score[SomeInliers::kRoom];
   sigma.at(points, one);
   for (std::size_t k = 0; k < points.count; ++k) {
     const float weight = 1.0f / one[k], u = feet.distance[k] * weight;
@@ -49,7 +49,8 @@ Sums sumsOf(const Shape& shape, const Points& points, const PointNoise& sigma) {
     sums.slope += slope;
     sums.slope_sq += slope * slope;
   }
-  const FlatGradients<Points::kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet, points.count);
+  const FlatGradients<SomeInliers::kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet,
+                                                    points.count);
   sums.information = sumOfSquares(gradients, inverse, points.count);
   sums.scores = sumOfSquares(gradients, score, points.count);
   return sums;
@@ -96,7 +97,7 @@ Hessian capped(const Hessian& covariance) {
 
 /// Beside kUnobservable, a double has no digits for less: a large plane, known to a hundredth of a millimetre, would
 /// come out with any variance, also a negative one. (0.02 mm, 0.02 mrad)^2.
-constexpr double kRounding = 2.0 * kUnobservable * std::numeric_limits<double>::epsilon();
+constexpr double kLostToRounding = 2.0 * kUnobservable * std::numeric_limits<double>::epsilon();
 
 /// Nothing is known about a shape without points.
 Hessian unknown(int parameters) {
@@ -105,7 +106,7 @@ Hessian unknown(int parameters) {
   return covariance;
 }
 
-Hessian covarianceOf(const Sums& sums, int parameters) {
+Hessian covarianceOf(const FitSums& sums, int parameters) {
   // Fewer points leave no residual to take the noise from.
   const double freedom = sums.count - parameters;
   if (!(freedom > 0.0)) return unknown(parameters);
@@ -221,7 +222,7 @@ double largestDeviation(const Eigen::Matrix3d& covariance) {
 }  // namespace
 
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, double shared_noise) {
-  const Points points(inliers);
+  const SomeInliers points(inliers);
   const int parameters = parameterCount(kindOf(shape));
   const Hessian covariance = points.share * shared_noise * covarianceOf(sumsOf(shape, points, sigma), parameters);
   return capped(covariance.allFinite() ? covariance : unknown(parameters));
@@ -237,7 +238,7 @@ Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const S
     observed.topLeftCorner<3, 3>() += secondOrder(*cone, local);
   }
   observed = capped(observed);
-  const Hessian pose = observed + published.unobservable + kRounding * Hessian::Identity();
+  const Hessian pose = observed + published.unobservable + kLostToRounding * Hessian::Identity();
   Uncertainty uncertainty;
   Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(uncertainty.pose.data()) = 0.5 * (pose + pose.transpose());
   uncertainty.radius_stddev = std::sqrt(std::max(published.radius.dot(local * published.radius), 0.0));

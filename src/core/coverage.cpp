@@ -19,14 +19,14 @@ using Vec2 = Eigen::Vector2d;
 
 /// A share of one half is then known to 0.05, of evenly spread ones. Twice as many take .8 % more of a frame.
 constexpr std::size_t kProbes = 64;
-/// Places of a plane that tell how its outline cuts what lies around a probe; every second one is a probe.
+/// WeightedPlaces of a plane that tell how its outline cuts what lies around a probe; every second one is a probe.
 constexpr std::size_t kPlaces = 2 * kProbes;
 constexpr std::size_t kMostInliers = 400;
 /// Inliers around a probe: enough that chance leaves no hole, see covered().
 constexpr double kNeighbors = 24.0;
 
-/// Places with weights, filled up to whole lanes with such that weigh nothing.
-struct Places {
+/// WeightedPlaces with weights, filled up to whole lanes with such that weigh nothing.
+struct WeightedPlaces {
   List<float> x, y, z, weight;
 
   void add(const Eigen::Vector3f& place, float weight_here) {
@@ -43,7 +43,7 @@ struct Around {
   Eigen::Vector3f sum;
   float weight;
 
-  Around(const Eigen::Vector3f& probe, float reach, const Places& places) {
+  Around(const Eigen::Vector3f& probe, float reach, const WeightedPlaces& places) {
     const kernels::FlatProbe flat = {probe.x(), probe.y(), probe.z(), reach * reach};
     const kernels::FlatAround around = kernels::loops().around(flat, places.x.data(), places.y.data(), places.z.data(),
                                                                places.weight.data(), places.x.size());
@@ -78,7 +78,7 @@ double coverageOf(const Sphere& sphere, const Extent&, const SeenPoints& inliers
   static const std::vector<Eigen::Vector3f> kDirections = probeDirections();
   const SomePoints<kMostInliers> some(inliers);
   const auto feet = Feet<SomePoints<kMostInliers>::kRoom>(sphere, some);
-  Places seen;
+  WeightedPlaces seen;
   // Towards the limb a camera's points are sparser on the surface.
   constexpr float kLeastCosine = 0.2f;
   for (std::size_t k = 0; k < some.count; ++k) {
@@ -131,7 +131,7 @@ struct Outline {
   }
 };
 
-/// Places all over a square of 1, evenly spread (R2 sequence).
+/// WeightedPlaces all over a square of 1, evenly spread (R2 sequence).
 std::vector<Vec2> spreadPlaces(std::size_t count) {
   constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
   std::vector<Vec2> places;
@@ -142,7 +142,7 @@ std::vector<Vec2> spreadPlaces(std::size_t count) {
   return places;
 }
 
-/// Places all over the outline.
+/// WeightedPlaces all over the outline.
 List<Vec2> placesIn(const Outline& outline) {
   constexpr std::size_t kMostTimes = 10;
   static const std::vector<Vec2> kSpread = spreadPlaces(kMostTimes * kPlaces);
@@ -205,7 +205,7 @@ double coverageOf(const Plane& plane, const Extent& extent, const SeenPoints& in
   // A line of points has no holes that could be told from its spacing.
   if (!(outline.area() > 1e-6 * outline.box().sizes().squaredNorm())) return 1.0;
   const List<std::size_t> some = scattered(inliers.size());
-  Places points, possible;
+  WeightedPlaces points, possible;
   for (const std::size_t k : some) points.add(raised(flat(inliers.point(k))), 1.0f);
   points.fillUp();
   const List<Vec2> places = placesIn(outline);

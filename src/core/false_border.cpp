@@ -18,7 +18,7 @@ namespace primitect {
 namespace {
 
 /// Points that are looked at together.
-constexpr std::size_t kAtOnce = 32;
+constexpr std::size_t kTogether = 32;
 
 /// Pixels of a point: itself and those around it.
 constexpr std::size_t kAround = 9;
@@ -31,7 +31,7 @@ class Borders {
   Borders(const LabelledShape& where, const Shape& shape, const NoiseModel& noise)
       : where_(where), shape_(flattened(shape, Vec3::Zero())), sigma_(flattened(noise, 1.0)) {}
 
-  bool full() const { return points_ == kAtOnce; }
+  bool full() const { return points_ == kTogether; }
 
   /// out: across the border, along x and y.
   void add(std::uint32_t point, const Way& out) {
@@ -89,13 +89,13 @@ class Borders {
   kernels::FlatShape shape_;
   kernels::FlatTolerance sigma_;
   std::size_t points_ = 0, around_ = 0;
-  std::uint32_t point_[kAtOnce];
-  Way out_[kAtOnce];
-  std::size_t end_[kAtOnce];  ///< of the pixels around each
-  float x_[kAtOnce], y_[kAtOnce], z_[kAtOnce], foot_[kAtOnce], nx_[kAtOnce], ny_[kAtOnce], nz_[kAtOnce];
-  float noise_[kAtOnce];  ///< m, standard deviation
-  float around_x_[kAround * kAtOnce], around_y_[kAround * kAtOnce], around_z_[kAround * kAtOnce];
-  float away_[kAround * kAtOnce];  ///< m, from the shape
+  std::uint32_t point_[kTogether];
+  Way out_[kTogether];
+  std::size_t end_[kTogether];  ///< of the pixels around each
+  float x_[kTogether], y_[kTogether], z_[kTogether], foot_[kTogether], nx_[kTogether], ny_[kTogether], nz_[kTogether];
+  float noise_[kTogether];  ///< m, standard deviation
+  float around_x_[kAround * kTogether], around_y_[kAround * kTogether], around_z_[kAround * kTogether];
+  float away_[kAround * kTogether];  ///< m, from the shape
 };
 
 }  // namespace

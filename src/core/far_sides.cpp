@@ -16,13 +16,13 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kAtOnce = 256;
+constexpr std::size_t kPointsAtOnce = 256;
 
 /// Places of some points of the cloud.
-struct Points {
+struct PlacesOfPoints {
   std::size_t count = 0;
-  std::uint32_t index[kAtOnce];
-  float x[kAtOnce], y[kAtOnce], z[kAtOnce];
+  std::uint32_t index[kPointsAtOnce];
+  float x[kPointsAtOnce], y[kPointsAtOnce], z[kPointsAtOnce];
 
   void add(const Cloud& cloud, std::uint32_t i) {
     index[count] = i, x[count] = cloud.x[i], y[count] = cloud.y[i], z[count] = cloud.z[i];
@@ -51,7 +51,7 @@ struct Wall {
 
   /// Marks the points where the camera cannot see this side by 1, the others by 0; returns whether there are any.
   bool findHidden(const float* x, const float* y, const float* z, std::size_t count, std::uint32_t* hidden) const {
-    float distance[kAtOnce], nx[kAtOnce], ny[kAtOnce], nz[kAtOnce];
+    float distance[kPointsAtOnce], nx[kPointsAtOnce], ny[kPointsAtOnce], nz[kPointsAtOnce];
     kernels::loops().feet(shape, x, y, z, count, {distance, nx, ny, nz});
     const std::uint32_t seen_from_inside = concave ? 1 : 0;
     std::uint32_t any = 0;
@@ -66,7 +66,7 @@ struct Wall {
   /// Calls use(k, distance) for each point, distance: m, infinite where the camera cannot see this side.
   template <class Use>
   void forDistances(const float* x, const float* y, const float* z, std::size_t count, const Use& use) const {
-    float distance[kAtOnce], nx[kAtOnce], ny[kAtOnce], nz[kAtOnce];
+    float distance[kPointsAtOnce], nx[kPointsAtOnce], ny[kPointsAtOnce], nz[kPointsAtOnce];
     kernels::loops().feet(shape, x, y, z, count, {distance, nx, ny, nz});
     for (std::size_t k = 0; k < count; ++k) {
       const bool inside = nx[k] * x[k] + ny[k] * y[k] + nz[k] * z[k] > 0.0f;
@@ -91,11 +91,11 @@ class Walls {
 
   bool curved(std::size_t k) const { return curved_[k]; }
 
-  /// Those of a run, at most kAtOnce points, that the camera cannot see on their wall.
-  void findFar(const LabelRun& run, Points& far) const {
+  /// Those of a run, at most kPointsAtOnce points, that the camera cannot see on their wall.
+  void findFar(const LabelRun& run, PlacesOfPoints& far) const {
     const float *x = cloud_.x.data() + run.begin, *y = cloud_.y.data() + run.begin, *z = cloud_.z.data() + run.begin;
     const std::uint32_t count = run.end - run.begin;
-    std::uint32_t hidden[kAtOnce];
+    std::uint32_t hidden[kPointsAtOnce];
     far.count = 0;
     if (!walls_[run.label - 1].findHidden(x, y, z, count, hidden)) return;
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -104,16 +104,16 @@ class Walls {
   }
 
   /// Takes those from the points of wall k that lie on a wall which is seen from the other side, and labels them.
-  void moveToOtherSides(std::size_t k, Points& points, std::vector<std::uint32_t>& labels) const {
+  void moveToOtherSides(std::size_t k, PlacesOfPoints& points, std::vector<std::uint32_t>& labels) const {
     for (std::size_t other = 0; other < walls_.size() && points.count > 0; ++other) {
       if (curved_[other] && walls_[other].concave != walls_[k].concave) move(other, points, labels);
     }
   }
 
  private:
-  void move(std::size_t to, Points& points, std::vector<std::uint32_t>& labels) const {
-    float allowed[kAtOnce], depth[kAtOnce];
-    bool moved[kAtOnce];
+  void move(std::size_t to, PlacesOfPoints& points, std::vector<std::uint32_t>& labels) const {
+    float allowed[kPointsAtOnce], depth[kPointsAtOnce];
+    bool moved[kPointsAtOnce];
     kernels::loops().tolerances(tolerance_, points.z, points.count, allowed);
     kernels::loops().depths(parts_[to].view(), points.x, points.y, points.z, points.count, depth);
     walls_[to].forDistances(points.x, points.y, points.z, points.count, [&](std::size_t k, float distance) {
@@ -138,12 +138,12 @@ List<bool> markFarSides(const Cloud& cloud, const std::vector<Detection>& detect
                         const Tolerance& tolerance, const List<LabelRun>& runs, std::vector<std::uint32_t>& labels) {
   const Walls walls(cloud, detections, kept, tolerance);
   List<bool> found(detections.size(), false);
-  Points far;
+  PlacesOfPoints far;
   for (const LabelRun& run : runs) {
     const std::size_t k = run.label - 1;
     if (!walls.curved(k)) continue;
-    for (std::uint32_t begin = run.begin; begin < run.end; begin += kAtOnce) {
-      walls.findFar({run.label, begin, std::min(begin + static_cast<std::uint32_t>(kAtOnce), run.end)}, far);
+    for (std::uint32_t begin = run.begin; begin < run.end; begin += kPointsAtOnce) {
+      walls.findFar({run.label, begin, std::min(begin + static_cast<std::uint32_t>(kPointsAtOnce), run.end)}, far);
       walls.moveToOtherSides(k, far, labels);
       for (std::size_t i = 0; i < far.count; ++i) labels[far.index[i]] |= kFarSide;
       if (far.count > 0) found[k] = true;

@@ -18,10 +18,10 @@ namespace {
 constexpr double kMostGrain = 7.0;  // px
 
 /// Depth, and noise there in standard deviations of axialNoise().
-using Places = List<std::pair<double, double>>;
+using NoiseAtDepths = List<std::pair<double, double>>;
 
 /// Of the places [begin, end): many hold edges and what is rough.
-double noiseOf(const Places& places, std::size_t begin, std::size_t end) {
+double noiseOf(const NoiseAtDepths& places, std::size_t begin, std::size_t end) {
   List<double> noise;
   for (std::size_t k = begin; k < end; ++k) noise.push_back(places[k].second);
   return lowerQuartile(noise);
@@ -29,7 +29,7 @@ double noiseOf(const Places& places, std::size_t begin, std::size_t end) {
 
 /// How many times as noisy the farther half is as the nearer one; 1 where the places are few, lie about as far away or
 /// have no noise.
-double fartherOverNearer(Places& places) {
+double fartherOverNearer(NoiseAtDepths& places) {
   constexpr std::size_t kFewest = 24;
   constexpr double kApart = 1.25;
   if (places.size() < kFewest) return 1.0;
@@ -51,7 +51,7 @@ ImageNoise measureImageNoise(const Cloud& image, NormalSource& source, const Sam
   const int half_width = std::max(static_cast<int>(std::lround(kUsualHalfWidth * share)), kSmallest);
   const PixelPitch& pitch = pixelPitch(image, source);
   List<double> likenesses;
-  Places places;
+  NoiseAtDepths places;
   for (std::size_t i = 0; i < samples.size(); i += samples.size() / kWindows + 1) {
     const auto noise = windowNoise(image, samples.index[i], half_width, pitch);
     if (noise) places.emplace_back(static_cast<double>(samples.z[i]), noise->deviation);

@@ -12,7 +12,7 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kRun = kernels::kPointsPerRun;
+using kernels::kPointsPerRun;
 /// So that no point of a ball is left out.
 constexpr float kRounding = 1.001f;
 
@@ -25,7 +25,7 @@ void Labeling::begin(const Cloud& cloud) {
 }
 
 const PointRuns& Labeling::allRuns() {
-  if (some_.size() * kRun >= cloud_->size()) return some_;
+  if (some_.size() * kPointsPerRun >= cloud_->size()) return some_;
   if (!has_all_) findRuns(*cloud_, all_);
   has_all_ = true;
   return all_;
@@ -93,15 +93,15 @@ void Labeling::gatherTargets(const PointRuns& runs, std::size_t k) {
 void Labeling::labelRun(std::size_t run, const kernels::FlatTolerance& tolerance, std::uint32_t* labels) const {
   const std::size_t begin = some_.layout.firstPointOf(run);
   const kernels::RunOfPoints points = pointsFrom(begin);
-  if (cloud_->size() - begin < kRun) {
-    std::uint32_t last_labels[kRun] = {};
+  if (cloud_->size() - begin < kPointsPerRun) {
+    std::uint32_t last_labels[kPointsPerRun] = {};
     if (!of_run_.empty()) {
       const LastRun last(points, cloud_->size() - begin);
       kernels::loops().label(tolerance, of_run_.data(), of_run_.size(), last.points(), last_labels);
     }
     std::copy_n(last_labels, cloud_->size() - begin, labels + begin);
   } else if (of_run_.empty()) {
-    for (std::size_t place = 0; place < kRun; place += kernels::kPointsPerRow) {
+    for (std::size_t place = 0; place < kPointsPerRun; place += kernels::kPointsPerRow) {
       std::fill_n(labels + some_.layout.point(run, place), kernels::kPointsPerRow, 0u);
     }
   } else {
@@ -125,7 +125,7 @@ std::uint64_t Labeling::unexplainedOf(std::size_t run, const kernels::FlatTolera
   };
   const std::size_t begin = some_.layout.firstPointOf(run);
   const kernels::RunOfPoints points = pointsFrom(begin);
-  if (cloud_->size() - begin >= kRun) return inRows(points);
+  if (cloud_->size() - begin >= kPointsPerRun) return inRows(points);
   const LastRun last(points, cloud_->size() - begin);
   return inRows(last.points());
 }

@@ -8,7 +8,7 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kLeafSize = kernels::kLeafSize, kLanes = kernels::kLanes;
+using kernels::kLanes, kernels::kLeafSize;
 
 std::size_t roundUp(std::size_t count, std::size_t unit) { return (count + unit - 1) / unit * unit; }
 

@@ -16,21 +16,21 @@ namespace {
 
 // Of 512 points a part has 32: enough for its mean to be told to a fifth of the noise.
 constexpr std::size_t kRings = 4, kQuarters = 4, kParts = kRings * kQuarters;
-constexpr std::size_t kMostPoints = 512;
-constexpr double kFewestPoints = 8.0;  // of a part, or it is left out
+constexpr std::size_t kMostSights = 512;
+constexpr double kFewestOfPart = 8.0;  // of a part, or it is left out
 constexpr std::size_t kFewestParts = 6;
 constexpr double kFitted = 4.0;  // numbers of a ball: so many parts agree with it by its fit
 
 /// As it is seen from the middle of a ball.
-struct Sight {
+struct FromMiddle {
   Vec3 way;         ///< to it, of unit length
   double distance;  ///< to the surface (m), outside positive
 };
 
-List<Sight> sightsOf(const Sphere& ball, const SeenPoints& seen) {
-  List<Sight> sights;
+List<FromMiddle> sightsOf(const Sphere& ball, const SeenPoints& seen) {
+  List<FromMiddle> sights;
   if (seen.empty()) return sights;
-  const SomePoints<kMostPoints> points(seen);
+  const SomePoints<kMostSights> points(seen);
   for (std::size_t i = 0; i < points.count; ++i) {
     const Vec3 way = points.point(i) - ball.center;
     sights.push_back({way.normalized(), way.norm() - ball.radius});
@@ -52,25 +52,25 @@ std::array<double, kRings - 1> ringBounds(List<double> heights) {
 }
 
 /// Sums over its points.
-struct Part {
+struct RingPart {
   double points = 0.0, distance = 0.0, square = 0.0;
 };
 
 /// A quarter of the turn each, in rings around where most is seen; empty where that is nowhere.
-std::array<Part, kParts> partsOf(const List<Sight>& sights) {
+std::array<RingPart, kParts> partsOf(const List<FromMiddle>& sights) {
   Vec3 middle = Vec3::Zero();
-  for (const Sight& sight : sights) middle += sight.way;
-  std::array<Part, kParts> parts{};
+  for (const FromMiddle& sight : sights) middle += sight.way;
+  std::array<RingPart, kParts> parts{};
   if (!(middle.norm() > 0.0)) return parts;
   const Vec3 pole = middle.normalized(), first = pole.unitOrthogonal(), second = pole.cross(first);
   List<double> heights;
-  for (const Sight& sight : sights) heights.push_back(sight.way.dot(pole));
+  for (const FromMiddle& sight : sights) heights.push_back(sight.way.dot(pole));
   const std::array<double, kRings - 1> bounds = ringBounds(heights);
   for (std::size_t i = 0; i < sights.size(); ++i) {
     const auto below = [&](double bound) { return bound <= heights[i]; };
     const auto ring = static_cast<std::size_t>(std::count_if(bounds.begin(), bounds.end(), below));
     const Vec3& way = sights[i].way;
-    Part& part = parts[kQuarters * ring + (way.dot(first) > 0.0 ? 1 : 0) + (way.dot(second) > 0.0 ? 2 : 0)];
+    RingPart& part = parts[kQuarters * ring + (way.dot(first) > 0.0 ? 1 : 0) + (way.dot(second) > 0.0 ? 2 : 0)];
     part.points += 1.0;
     part.distance += sights[i].distance;
     part.square += sights[i].distance * sights[i].distance;
@@ -97,8 +97,8 @@ double unevennessOf(const Sphere& ball, const SeenPoints& seen, double least_noi
   // Analysis of variance with one factor: the part.
   double points = 0.0, between = 0.0, within = 0.0;
   std::size_t filled = 0;
-  for (const Part& part : partsOf(sightsOf(ball, seen))) {
-    if (part.points < kFewestPoints) continue;
+  for (const RingPart& part : partsOf(sightsOf(ball, seen))) {
+    if (part.points < kFewestOfPart) continue;
     const double of_mean = part.distance * part.distance / part.points;
     between += of_mean;
     within += part.square - of_mean;

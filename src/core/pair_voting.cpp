@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/degree.h"
 #include "core/segmentation.h"
 
 namespace primitect {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 // Where samples are dense, as in the closer look, the nearest pairs tell nearly as much as all: what
 // they vote for is fitted to all samples near it.

@@ -10,7 +10,7 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kRun = kernels::kPointsPerRun;
+using kernels::kPointsPerRun;
 constexpr std::size_t kAhead = 6;  // runs
 
 void resize(PointRuns& runs, std::size_t count) {
@@ -21,7 +21,7 @@ void resize(PointRuns& runs, std::size_t count) {
 
 /// Asks for a run before it is looked at.
 void prefetch(const Cloud& cloud, const RunLayout& layout, std::size_t run) {
-  for (std::size_t place = 0; place < kRun; place += kernels::kPointsPerRow) {  // a line of the cache each
+  for (std::size_t place = 0; place < kPointsPerRun; place += kernels::kPointsPerRow) {  // a line of the cache each
     const std::size_t k = layout.point(run, place);
     if (k >= cloud.size()) return;
     for (const std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) __builtin_prefetch(values->data() + k);
@@ -33,7 +33,7 @@ void look(const Cloud& cloud, std::size_t k, PointRuns& runs) {
   const std::size_t begin = runs.layout.firstPointOf(runs.number[k]);
   const kernels::RunOfPoints points = {cloud.x.data() + begin, cloud.y.data() + begin, cloud.z.data() + begin,
                                        runs.layout.stride()};
-  const bool whole = cloud.size() - begin >= kRun;  // only the last one of runs in a row is not
+  const bool whole = cloud.size() - begin >= kPointsPerRun;  // only the last one of runs in a row is not
   const kernels::RunBall ball =
       kernels::loops().ballOfRun(whole ? points : LastRun(points, cloud.size() - begin).points());
   runs.x[k] = ball.x, runs.y[k] = ball.y, runs.z[k] = ball.z, runs.radius[k] = ball.radius;
@@ -44,7 +44,7 @@ void look(const Cloud& cloud, std::size_t k, PointRuns& runs) {
 
 LastRun::LastRun(const kernels::RunOfPoints& some, std::size_t count) {
   const auto fill = [count](const float* from, float* to) {
-    std::fill(std::copy_n(from, count, to), to + kRun, std::numeric_limits<float>::quiet_NaN());
+    std::fill(std::copy_n(from, count, to), to + kPointsPerRun, std::numeric_limits<float>::quiet_NaN());
   };
   fill(some.x, x), fill(some.y, y), fill(some.z, z);
 }

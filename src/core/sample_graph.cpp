@@ -10,7 +10,7 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kLeafSize = kernels::kLeafSize;
+using kernels::kLeafSize;
 
 /// States that are looked at together.
 constexpr std::size_t kStatesAtOnce = sizeof(std::uint64_t);

@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/degree.h"
+
 namespace primitect {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// Gives every sample to the nearest segment.
 void assignToNearest(const Samples& samples, const Tolerance& tolerance, List<Segment>& segments) {

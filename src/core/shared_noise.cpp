@@ -21,8 +21,8 @@ struct Cell {
   float count = 0.0f;
 };
 
-constexpr std::size_t kMost = 2039;
-using Points = SomePoints<kMost>;
+constexpr std::size_t kMostShared = 2039;
+using Points = SomePoints<kMostShared>;
 
 /// Points of a surface with Tukey's biweight of their residuals; those beyond it have none, and count for nothing.
 struct Members {

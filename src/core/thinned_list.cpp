@@ -8,7 +8,7 @@
 namespace primitect {
 namespace {
 
-constexpr std::size_t kRun = kernels::kPointsPerRun;
+using kernels::kPointsPerRun;
 
 /// Calls use(values of the whole, values of the part) for each coordinate that there is.
 template <class Use>
@@ -27,13 +27,16 @@ std::size_t measuredIn(const PointRuns& runs) {
 }  // namespace
 
 void ThinnedList::copyRuns(const Cloud& whole) {
-  const auto endOf = [&whole](std::uint32_t run) { return std::min(whole.size(), (run + std::size_t{1}) * kRun); };
+  const auto endOf = [&whole](std::uint32_t run) {
+    return std::min(whole.size(), (run + std::size_t{1}) * kPointsPerRun);
+  };
   std::size_t count = 0;
-  for (const std::uint32_t run : left_) count += endOf(run) - run * kRun;
+  for (const std::uint32_t run : left_) count += endOf(run) - run * kPointsPerRun;
   part_.prepare(static_cast<std::uint32_t>(count), 1, whole.hasNormals());
   forCoordinates(whole, part_, [&](const std::vector<float>& from, std::vector<float>& to) {
     float* next = to.data();
-    for (const std::uint32_t run : left_) next = std::copy(from.data() + run * kRun, from.data() + endOf(run), next);
+    for (const std::uint32_t run : left_)
+      next = std::copy(from.data() + run * kPointsPerRun, from.data() + endOf(run), next);
   });
 }
 

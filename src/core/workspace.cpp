@@ -39,8 +39,8 @@ Detection describe(const Segment& segment, const Samples& samples, bool last, st
 }
 
 /// How large what the first samples show is, and how far away (m).
-struct View {
-  explicit View(const Samples& samples)
+struct SeenSize {
+  explicit SeenSize(const Samples& samples)
       : diagonal(boundingBoxDiagonal(samples)),
         depth(std::accumulate(samples.z.begin(), samples.z.end(), 0.0) / static_cast<double>(samples.size())) {}
 
@@ -51,14 +51,14 @@ struct View {
 /// d_s of what a depth camera sees; 0 when all is in one place. At least its mean depth, or what was cut out of its
 /// image, like one object, would be looked at with bins and pairs so small that they tell only noise, and for radii
 /// smaller than its own.
-double sceneDiameterOfDepth(const View& view) {
+double sceneDiameterOfDepth(const SeenSize& view) {
   return view.diagonal > 0.0 ? std::max(view.diagonal, view.depth) : 0.0;
 }
 
 /// A ball or a tube close up, alone in the image of a depth camera, may have a radius of six tenths of what is seen of
 /// it: bins of radii, which reach to `largest` (m), reach that far. Usually they do: what is around a thing makes d_s
 /// large, a wall 1.6 times its depth.
-double radiusStretch(const View& view, double largest) {
+double radiusStretch(const SeenSize& view, double largest) {
   constexpr double kAlone = 1.5, kOfSeen = 0.6;
   const bool alone = view.diagonal > 0.0 && view.diagonal <= kAlone * view.depth;
   return alone ? std::max(1.0, kOfSeen * view.diagonal / largest) : 1.0;
@@ -121,7 +121,7 @@ void Detector::Workspace::forgetResult() {
 
 /// d_s, and what noise to expect, from the first samples.
 void Detector::Workspace::measureScale() {
-  const View view(samples);
+  const SeenSize view(samples);
   const double seen = depth_camera ? sceneDiameterOfDepth(view) : view.diagonal;
   result.scene_diameter = params.scene_diameter > 0.0 ? params.scene_diameter : seen;
   // All points in one place have no scale and no normals.

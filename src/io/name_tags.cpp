@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr int kThickness = 2;
-constexpr double kPi = 3.14159265358979323846;
 
 cv::Rect boxAround(const cv::Point& middle, const cv::Size& size, const cv::Size& picture) {
   const int x = std::clamp(middle.x - size.width / 2, 0, std::max(0, picture.width - size.width));
@@ -30,7 +29,7 @@ cv::Rect placeOne(const cv::Point& anchor, const cv::Size& size, const cv::Size&
   constexpr int kRings = 24, kDirections = 12;
   for (int ring = 1; ring <= kRings; ++ring) {
     for (int i = 0; i < kDirections; ++i) {
-      const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * 2.0 * kPi / kDirections;
+      const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * 2.0 * M_PI / kDirections;
       const double across = 0.8 * ring * size.height * std::sin(turn) * 2.0;
       const double up = ring * size.height * std::cos(turn);
       const cv::Point middle(anchor.x + static_cast<int>(across), anchor.y - static_cast<int>(up));

@@ -10,7 +10,6 @@ namespace primitect::io {
 namespace {
 
 constexpr int kCircleCorners = 72;
-constexpr double kPi = 3.14159265358979323846;
 
 /// Two unit vectors that span the plane across `axis`.
 struct Across {
@@ -22,7 +21,8 @@ struct Across {
 Line3 circle(const Vec3& center, const Vec3& axis, double radius) {
   const Across across(axis);
   Line3 line;
-  for (int i = 0; i <= kCircleCorners; ++i) line.push_back(center + radius * across.at(2.0 * kPi * i / kCircleCorners));
+  for (int i = 0; i <= kCircleCorners; ++i)
+    line.push_back(center + radius * across.at(2.0 * M_PI * i / kCircleCorners));
   return line;
 }
 

@@ -26,7 +26,7 @@ struct PcdHeader {
   }
 };
 
-PcdHeader parseHeader(const std::string& path, const std::string& bytes) {
+PcdHeader parsePcdHeader(const std::string& path, const std::string& bytes) {
   PcdHeader header;
   std::istringstream stream(bytes);
   std::string line;
@@ -135,7 +135,7 @@ void checkCompressed(const std::string& path, const FileHead& head, std::uint64_
 }  // namespace
 
 std::uint64_t checkPcdHead(const std::string& path, const FileHead& head) {
-  const PcdHeader header = parseHeader(path, head.bytes);
+  const PcdHeader header = parsePcdHeader(path, head.bytes);
   const std::uint64_t points = pointCount(path, header);
   const PointSize point = pointSize(path, header);
   const std::uint64_t bytes = points * point.bytes;
@@ -157,7 +157,7 @@ std::uint64_t checkPcdHead(const std::string& path, const FileHead& head) {
 }
 
 std::optional<SensorPose> pcdViewpoint(const std::string& path, const FileHead& head) {
-  const PcdHeader header = parseHeader(path, head.bytes);
+  const PcdHeader header = parsePcdHeader(path, head.bytes);
   const auto line = header.lines.find("VIEWPOINT");
   if (line == header.lines.end() || line->second.size() != 7) return std::nullopt;
   const Words& w = line->second;  // tx ty tz qw qx qy qz

@@ -34,7 +34,7 @@ struct PlyHeader {
   std::uint64_t data_begin = 0;
 };
 
-[[noreturn]] void refuse(const std::string& path, const std::string& cause) {
+[[noreturn]] void refuseHeader(const std::string& path, const std::string& cause) {
   throw FileError(path, "broken PLY header: " + cause);
 }
 
@@ -44,7 +44,7 @@ std::uint64_t typeBytes(const std::string& path, const std::string& type) {
       {"ushort", 2}, {"uint16", 2},  {"int", 4},    {"int32", 4},  {"uint", 4},  {"uint32", 4},
       {"float", 4},  {"float32", 4}, {"double", 8}, {"float64", 8}};
   const auto found = kBytes.find(type);
-  if (found == kBytes.end()) refuse(path, "unknown type '" + type + "'");
+  if (found == kBytes.end()) refuseHeader(path, "unknown type '" + type + "'");
   return found->second;
 }
 
@@ -58,7 +58,7 @@ std::uint64_t elementCount(const std::string& path, const std::string& name, con
   constexpr std::uint64_t kMax = 2147483647;  // PCL counts in int
   const bool digits = !word.empty() && word.size() <= 10 && word.find_first_not_of("0123456789") == std::string::npos;
   if (!digits || std::stoull(word) > kMax) {
-    refuse(path, "element " + name + " '" + word + "', expected 0 to " + std::to_string(kMax));
+    refuseHeader(path, "element " + name + " '" + word + "', expected 0 to " + std::to_string(kMax));
   }
   return std::stoull(word);
 }
@@ -73,15 +73,15 @@ Property parseProperty(const std::string& path, std::istringstream& words) {
   if (property.list) typeBytes(path, item_type);
   property.type = firstName(type);
   property.item_type = firstName(item_type);
-  if (!(words >> property.name)) refuse(path, "a property without a name");
+  if (!(words >> property.name)) refuseHeader(path, "a property without a name");
   return property;
 }
 
 void addProperty(const std::string& path, PlyHeader& header, Property property) {
-  if (header.elements.empty()) refuse(path, "a property before the first element");
+  if (header.elements.empty()) refuseHeader(path, "a property before the first element");
   std::vector<Property>& properties = header.elements.back().properties;
   for (const Property& other : properties) {
-    if (other.name == property.name) refuse(path, "property " + property.name + " twice");
+    if (other.name == property.name) refuseHeader(path, "property " + property.name + " twice");
   }
   properties.push_back(std::move(property));
 }
@@ -92,12 +92,12 @@ void addElement(const std::string& path, PlyHeader& header, std::istringstream& 
   words >> element.name >> count;
   element.count = elementCount(path, element.name, count);
   for (const Element& other : header.elements) {
-    if (other.name == element.name) refuse(path, "element " + element.name + " twice");
+    if (other.name == element.name) refuseHeader(path, "element " + element.name + " twice");
   }
   header.elements.push_back(std::move(element));
 }
 
-PlyHeader parseHeader(const std::string& path, const std::string& bytes) {
+PlyHeader parsePlyHeader(const std::string& path, const std::string& bytes) {
   PlyHeader header;
   std::istringstream stream(bytes);
   std::string line, key, name, value;
@@ -108,7 +108,8 @@ PlyHeader parseHeader(const std::string& path, const std::string& bytes) {
     if (key == "format") {
       words >> header.format;
     } else if (key == "obj_info") {
-      if (words >> name >> value && !header.object_info.emplace(name, value).second) refuse(path, name + " twice");
+      if (words >> name >> value && !header.object_info.emplace(name, value).second)
+        refuseHeader(path, name + " twice");
     } else if (key == "element") {
       addElement(path, header, words);
     } else if (key == "property") {
@@ -117,7 +118,7 @@ PlyHeader parseHeader(const std::string& path, const std::string& bytes) {
       header.data_begin = stream.eof() ? bytes.size() : static_cast<std::uint64_t>(stream.tellg());
       return header;
     } else {
-      refuse(path, "unknown line '" + key.substr(0, 20) + "'");
+      refuseHeader(path, "unknown line '" + key.substr(0, 20) + "'");
     }
   }
   throw FileError(path, "broken PLY: the header is cut off");
@@ -163,7 +164,7 @@ std::uint64_t pointCount(const std::string& path, const PlyHeader& header, const
   const auto columns = header.object_info.find("num_cols"), rows = header.object_info.find("num_rows");
   const bool grid = columns != header.object_info.end() && rows != header.object_info.end();
   if (!grid && (columns != rows || findElement(header, "range_grid"))) {
-    refuse(path, "a grid needs both obj_info num_cols and num_rows");
+    refuseHeader(path, "a grid needs both obj_info num_cols and num_rows");
   }
   if (!grid) return vertex.count;
   return elementCount(path, "num_cols", columns->second) * elementCount(path, "num_rows", rows->second);
@@ -173,12 +174,12 @@ std::uint64_t pointCount(const std::string& path, const PlyHeader& header, const
 void checkRangeGrid(const std::string& path, const PlyHeader& header, const Element& vertex, std::uint64_t cells) {
   const Element* grid = findElement(header, "range_grid");
   const std::string size = " is not num_cols * num_rows = " + std::to_string(cells);
-  if (!grid && vertex.count != cells) refuse(path, "vertex " + std::to_string(vertex.count) + size);
+  if (!grid && vertex.count != cells) refuseHeader(path, "vertex " + std::to_string(vertex.count) + size);
   if (!grid) return;
-  if (grid->count != cells) refuse(path, "range_grid " + std::to_string(grid->count) + size);
-  if (vertex.count > cells) refuse(path, "more vertices than cells of the range_grid");
+  if (grid->count != cells) refuseHeader(path, "range_grid " + std::to_string(grid->count) + size);
+  if (vertex.count > cells) refuseHeader(path, "more vertices than cells of the range_grid");
   if (grid->properties.size() != 1 || !grid->properties[0].list || grid->properties[0].name != "vertex_indices") {
-    refuse(path, "a range_grid without its list vertex_indices");
+    refuseHeader(path, "a range_grid without its list vertex_indices");
   }
 }
 
@@ -216,14 +217,15 @@ std::uint64_t leastBytes(const PlyHeader& header) {
 }  // namespace
 
 std::uint64_t checkPlyHead(const std::string& path, const FileHead& head) {
-  const PlyHeader header = parseHeader(path, head.bytes);
+  const PlyHeader header = parsePlyHeader(path, head.bytes);
   if (header.format != "ascii" && header.format != "binary_little_endian" && header.format != "binary_big_endian") {
-    refuse(path, "format '" + header.format + "', expected ascii, binary_little_endian or binary_big_endian");
+    refuseHeader(path, "format '" + header.format + "', expected ascii, binary_little_endian or binary_big_endian");
   }
   const Element* vertex = findElement(header, "vertex");
-  if (!vertex) refuse(path, "no element vertex");
+  if (!vertex) refuseHeader(path, "no element vertex");
   for (const Element& element : header.elements) {
-    if (element.properties.empty() && element.count > 0) refuse(path, "element " + element.name + " has no property");
+    if (element.properties.empty() && element.count > 0)
+      refuseHeader(path, "element " + element.name + " has no property");
   }
   refuseLists(path, *vertex);
   checkColors(path, *vertex);

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "synthetic/poses.h"
+
 namespace primitect::synthetic {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kStepAside = 1e-7;  // m, to either side of a face
 
 /// Membership in a solid's own frame.

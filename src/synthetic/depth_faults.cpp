@@ -10,12 +10,6 @@
 #include "synthetic/noise_field.h"
 
 namespace primitect::synthetic {
-namespace {
-
-constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-
-}  // namespace
-
 void mixNeighbors(int width, const PinholeCamera& camera, std::vector<float>& depth) {
   const int half = width / 2;
   const std::vector<float> seen = depth;

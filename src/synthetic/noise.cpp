@@ -12,12 +12,10 @@
 #include "core/random.h"
 #include "synthetic/depth_faults.h"
 #include "synthetic/noise_field.h"
+#include "synthetic/poses.h"
 
 namespace primitect::synthetic {
 namespace {
-
-constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 void require(bool holds, const char* name, double value, const char* range) {
   if (holds) return;

@@ -7,22 +7,20 @@
 #include <cmath>
 #include <vector>
 
+#include "synthetic/chance.h"
 #include "synthetic/part_features.h"
+#include "synthetic/poses.h"
 
 namespace primitect::synthetic {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-bool oneIn(int count, Random& random) { return random.below(count) == 0; }
-
-Frame turnedAround(const Vec3& axis, double angle) { return Frame(Eigen::AngleAxisd(angle, axis)); }
+Pose turnedAround(const Vec3& axis, double angle) { return Pose(Eigen::AngleAxisd(angle, axis)); }
 
 /// The four upright edges of a block, its footprint given by half lengths.
 void chamferUprightEdges(Csg& part, double half_x, double half_y, double depth) {
   for (int corner = 0; corner < 4; ++corner) {
     const double x = corner & 1 ? half_x : -half_x, y = corner & 2 ? half_y : -half_y;
-    Frame frame = moved(x, y, 0.0);
+    Pose frame = moved(x, y, 0.0);
     frame.linear().col(0) = Vec3::UnitZ();
     frame.linear().col(2) = Vec3(x > 0.0 ? 1.0 : -1.0, y > 0.0 ? 1.0 : -1.0, 0.0).normalized();
     frame.linear().col(1) = frame.linear().col(2).cross(frame.linear().col(0));
@@ -68,7 +66,7 @@ Csg drawFlange(Random& random) {
   Csg part;
   part.add(turned({-thickness, 0.5, -chamfer, 0.5}));
   part.add(turned({-chamfer, 0.5, 0.0, 0.5 - chamfer}));
-  drawFeature(part, {Frame::Identity(), random.uniform(0.18, 0.22), thickness}, random);
+  drawFeature(part, {Pose::Identity(), random.uniform(0.18, 0.22), thickness}, random);
   const Hole hole{random.uniform(0.050, 0.062), thickness + 0.05, drawMouth(random)};
   const int count = 3 + static_cast<int>(random.below(4));
   for (int i = 0; i < count; ++i) {
@@ -85,7 +83,7 @@ Csg drawBearingBlock(Random& random) {
   Csg part;
   part.add(block(0.5, half_y, half_z));
   if (oneIn(2, random)) chamferUprightEdges(part, 0.5, half_y, random.uniform(0.05, 0.08));
-  const Frame across = moved(0.0, 0.0, height) * turnedAround(Vec3::UnitX(), 0.5 * kPi);
+  const Pose across = moved(0.0, 0.0, height) * turnedAround(Vec3::UnitX(), 0.5 * kPi);
   part.add(block(head, half_width, 0.5 * height), moved(0.0, 0.0, 0.5 * height));
   part.add(turned({-half_width, head, half_width, head}), across);
   const double boss = half_width + random.uniform(0.04, 0.08), bore = random.uniform(0.40, 0.48) * head;
@@ -98,7 +96,7 @@ Csg drawBearingBlock(Random& random) {
 }
 
 /// Ends are at the origin of the frame, z out of the material.
-void finishEnd(Csg& part, const Frame& frame, double radius, Random& random) {
+void finishEnd(Csg& part, const Pose& frame, double radius, Random& random) {
   const double chamfer = 0.2 * radius;
   switch (random.below(4)) {
     case 0:
@@ -135,7 +133,7 @@ Csg drawShaft(Random& random) {
   finishEnd(part, moved(0.0, 0.0, z), radius, random);
   finishEnd(part, turnedAround(Vec3::UnitX(), kPi), first_radius, random);
   // At the widest section: a hole across or a flat.
-  const Frame side = moved(0.0, 0.0, middle) * turnedAround(Vec3::UnitY(), 0.5 * kPi);
+  const Pose side = moved(0.0, 0.0, middle) * turnedAround(Vec3::UnitY(), 0.5 * kPi);
   if (oneIn(2, random)) {
     cutHole(part, side * moved(0.0, 0.0, middle_radius), {0.055, 2.0 * middle_radius + 0.05});
   } else {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthetic/chance.h"
+
 namespace primitect::synthetic {
 namespace {
 
@@ -13,13 +15,11 @@ namespace {
 constexpr double kBeyond = 0.05;
 constexpr double kSunk = 0.02;
 
-bool oneIn(int count, Random& random) { return random.below(count) == 0; }
-
-Frame raised(const Site& site, double height) { return site.frame * moved(0.0, 0.0, height); }
+Pose raised(const Site& site, double height) { return site.frame * moved(0.0, 0.0, height); }
 
 }  // namespace
 
-Frame moved(double x, double y, double z) { return Frame(Eigen::Translation3d(x, y, z)); }
+Pose moved(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
 Placed turned(const Section& s) {
   const double length = s.z1 - s.z0;
@@ -31,14 +31,14 @@ Placed turned(const Section& s) {
   return {frustum, moved(0.0, 0.0, s.z1 + begin) * Eigen::AngleAxisd(std::acos(-1.0), Vec3::UnitX())};
 }
 
-Placed block(double half_x, double half_y, double half_z) { return {Box{half_x, half_y, half_z}, Frame::Identity()}; }
+Placed block(double half_x, double half_y, double half_z) { return {Box{half_x, half_y, half_z}, Pose::Identity()}; }
 
-void chamferEdge(Csg& part, const Frame& frame, double depth) {
+void chamferEdge(Csg& part, const Pose& frame, double depth) {
   constexpr double kHalfWidth = 0.3, kHalfLength = 2.0;  // enough for any edge
   part.cut(block(kHalfLength, kHalfWidth, kHalfWidth), frame * moved(0.0, 0.0, kHalfWidth - depth));
 }
 
-void cutHole(Csg& part, const Frame& frame, const Hole& hole) {
+void cutHole(Csg& part, const Pose& frame, const Hole& hole) {
   const double wide = 1.6 * hole.radius;
   part.cut(turned({-hole.depth, hole.radius, kBeyond, hole.radius}), frame);
   if (hole.mouth == Mouth::countersunk) {

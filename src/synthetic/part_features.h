@@ -10,9 +10,9 @@
 
 namespace primitect::synthetic {
 
-using Frame = Eigen::Isometry3d;
+using Pose = Eigen::Isometry3d;
 
-Frame moved(double x, double y, double z);
+Pose moved(double x, double y, double z);
 
 /// Turned on a lathe: around z, from height z0 with radius r0 to z1 > z0 with r1. A rod or a frustum.
 struct Section {
@@ -24,7 +24,7 @@ Placed turned(const Section& section);
 Placed block(double half_x, double half_y, double half_z);
 
 /// Takes off an edge through the frame's origin along x; z points out between both faces. depth: from edge to chamfer.
-void chamferEdge(Csg& part, const Frame& frame, double depth);
+void chamferEdge(Csg& part, const Pose& frame, double depth);
 
 enum class Mouth { plain, countersunk, counterbored };
 
@@ -34,12 +34,12 @@ struct Hole {
   Mouth mouth = Mouth::plain;
   bool drill_point = false;  ///< below depth, a cone
 };
-void cutHole(Csg& part, const Frame& frame, const Hole& hole);
+void cutHole(Csg& part, const Pose& frame, const Hole& hole);
 Mouth drawMouth(Random& random);
 
 /// Where a feature may be: within radius around the frame's origin, with this much material below.
 struct Site {
-  Frame frame;
+  Pose frame;
   double radius, material;
 };
 

@@ -84,14 +84,14 @@ Told toldBy(const std::string& thing, const std::vector<std::string>& words) {
 }
 
 /// As it stands or lies around (0, 0) on the table.
-struct Placed {
+struct PlacedThing {
   Solid solid;
   Eigen::Isometry3d pose;
 };
 
 Eigen::Isometry3d raised(double height) { return Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, height)); }
 
-Placed placed(const std::string& thing, const Told& told) {
+PlacedThing placed(const std::string& thing, const Told& told) {
   const auto hasSizes = [&](std::size_t count) {
     if (told.sizes.size() != count)
       refuse(thing, "it has " + std::to_string(told.sizes.size()) + " instead of " + std::to_string(count) + " sizes");
@@ -143,7 +143,7 @@ World tableWith(const std::string& things) {
     const std::vector<std::string> words = wordsOf(thing);
     if (words.empty()) continue;  // as after the last ';'
     const Told told = toldBy(thing, words);
-    const Placed on_table = placed(thing, told);
+    const PlacedThing on_table = placed(thing, told);
     const Eigen::Isometry3d place = Eigen::Translation3d(told.place + Vec3(0.0, 0.0, kTableHeight)) *
                                     Eigen::Isometry3d(Eigen::AngleAxisd(told.turn, Vec3::UnitZ()));
     world.add(told.kind, on_table.solid, place * on_table.pose);

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "synthetic/solid_limits.h"
+
 namespace primitect::synthetic {
 namespace {
 
@@ -18,8 +20,6 @@ double sheetDistance(double above, double steepest, double thickness, double out
   const double across = std::abs(above) / std::sqrt(1.0 + steepest * steepest) - 0.5 * thickness;
   return std::max(across, outline);
 }
-
-bool isLength(double value) { return value > 0.0 && std::isfinite(value); }
 
 double limbDistance(const Limbs::Limb& limb, const Vec3& p) {
   const Vec3 line = limb.to - limb.from;

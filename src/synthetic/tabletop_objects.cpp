@@ -44,7 +44,7 @@ Object drawFrustum(Random& random) {
   return {"cone", frustum, at(-middle, 0.0) * tilted(kPi / 2 - half_angle), half_line, radius};
 }
 
-Object drawBox(Random& random) {
+Object drawTableBox(Random& random) {
   const double half_x = random.uniform(0.035, 0.070);
   const double half_y = random.uniform(0.030, half_x);
   const double half_z = random.uniform(0.025, 0.070);
@@ -59,7 +59,7 @@ std::vector<Object> drawObjects(Random& random) {
     const int count = least + static_cast<int>(random.below(2));
     for (int i = 0; i < count; ++i) objects.push_back(drawOne(random));
   };
-  draw(1, drawBox);
+  draw(1, drawTableBox);
   draw(1, drawFrustum);
   draw(2, drawRod);
   draw(2, drawBall);

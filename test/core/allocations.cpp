@@ -16,7 +16,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/uneven_wall.h"
 
-namespace primitect {
+namespace primitect::allocations_test {
 namespace {
 
 /// Cut at the default's depths.
@@ -183,4 +183,4 @@ TEST_F(Allocations, AreNoneWhenPointsAreLabelled) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::allocations_test

@@ -9,7 +9,7 @@
 #include "primitect/detector.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::alone_in_image_test {
 namespace {
 
 /// A body alone in the image, its middle `depth` (m) away from the camera and its long axis up.
@@ -96,4 +96,4 @@ TEST(AloneInImage, RadiiReachAsFarAsAGivenSceneDiameterSays) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::alone_in_image_test

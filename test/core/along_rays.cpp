@@ -15,7 +15,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::along_rays_test {
 namespace {
 
 using test::patchOf;
@@ -135,4 +135,4 @@ TEST(AlongRays, AConeThatStartsTooWideDoesNotStayWide) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::along_rays_test

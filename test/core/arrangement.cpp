@@ -16,7 +16,7 @@
 #include "synthetic/poses.h"
 #include "test/support/ball_and_wall.h"
 
-namespace primitect {
+namespace primitect::arrangement_test {
 namespace {
 
 using synthetic::robotFromCamera;
@@ -190,4 +190,4 @@ TEST(CloudOfARobotsFrame, IsSaidToBeOneAndItsWallIsFoundAllTheSame) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::arrangement_test

@@ -11,7 +11,7 @@
 
 #include "test/support/tube_points.h"
 
-namespace primitect {
+namespace primitect::axis_gap_test {
 namespace {
 
 const Cylinder kTube = {Vec3(0.1, 0.2, 1.0), Vec3(0.6, 0.0, 0.8), 0.03};
@@ -80,4 +80,4 @@ TEST(FarEnds, AreNotAskedForOfFewPointsOrInOnePlace) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::axis_gap_test

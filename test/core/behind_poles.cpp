@@ -10,7 +10,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::behind_poles_test {
 namespace {
 
 constexpr double kHeight = 0.15;  // m
@@ -41,4 +41,4 @@ TEST(BehindPoles, CansAreOneThing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::behind_poles_test

@@ -17,7 +17,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::bent_ends_test {
 namespace {
 
 using test::kDegree;
@@ -215,4 +215,4 @@ TEST(BentEnds, OfBottlesOnATableLieNearTheirShoulders) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::bent_ends_test

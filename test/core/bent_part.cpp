@@ -15,7 +15,7 @@
 #include "synthetic/frame.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::bent_part_test {
 namespace {
 
 using test::kDegree;
@@ -135,4 +135,4 @@ TEST(BentPart, OfACloudThatNoDepthCameraTookIsAPlane) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::bent_part_test

@@ -13,7 +13,7 @@
 #include "core/extent.h"
 #include "core/random.h"
 
-namespace primitect {
+namespace primitect::bent_strip_test {
 namespace {
 
 constexpr double kNoise = 0.001;  // m
@@ -97,4 +97,4 @@ TEST(BentStrip, IsNotToldFromTwoRowsOfPoints) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::bent_strip_test

@@ -7,7 +7,7 @@
 
 #include "test/support/fit_errors.h"
 
-namespace primitect {
+namespace primitect::bias_test {
 namespace {
 
 using test::NoisyFit;
@@ -94,4 +94,4 @@ TEST(Bias, LeavesAShapeAloneThatNothingDetermines) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::bias_test

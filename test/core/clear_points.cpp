@@ -13,7 +13,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/noisy_points.h"
 
-namespace primitect {
+namespace primitect::clear_points_test {
 namespace {
 
 using test::SurfacePoint;
@@ -289,4 +289,4 @@ TEST(FarSides, AreNotTakenFromPlanes) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::clear_points_test

@@ -11,7 +11,7 @@
 #include "synthetic/scene_layout.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::close_heights_test {
 namespace {
 
 constexpr double kLower = 0.04;  // m, height of the first box
@@ -102,4 +102,4 @@ TEST_P(CloseHeights, AreBothFoundOnce) {
 INSTANTIATE_TEST_SUITE_P(WithNoise, CloseHeights, ::testing::Bool());
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::close_heights_test

@@ -13,7 +13,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/wall_image.h"
 
-namespace primitect {
+namespace primitect::cloud_test {
 namespace {
 
 TEST(Cloud, TakesZeroAndNotFiniteAndOutOfRangeAsMissing) {
@@ -216,4 +216,4 @@ TEST(Cloud, ScalesNormalsAndDropsThoseWithoutDirection) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::cloud_test

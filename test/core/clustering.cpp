@@ -11,7 +11,7 @@
 #include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::clustering_test {
 namespace {
 
 using test::candidate;
@@ -133,4 +133,4 @@ TEST(Clustering, SortsByVotes) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::clustering_test

@@ -12,7 +12,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::cluttered_tables_test {
 namespace {
 
 using test::kDegree;
@@ -180,4 +180,4 @@ TEST(ClutteredTables, LoseWithAHigherLeastConfidenceOnlyWhatIsBelow) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::cluttered_tables_test

@@ -7,7 +7,7 @@
 
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::competition_test {
 namespace {
 
 constexpr double kLargest = 1.0;  // m
@@ -237,4 +237,4 @@ TEST(Limits, HoldNoPlaneInWhichTheSensorLies) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::competition_test

@@ -9,7 +9,7 @@
 #include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::concave_voting_test {
 namespace {
 
 using test::bowlOf;
@@ -107,4 +107,4 @@ TEST(ConcaveVotes, LeavePlanesPlanes) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::concave_voting_test

@@ -13,7 +13,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::cone_tip_test {
 namespace {
 
 using test::kDegree;
@@ -86,4 +86,4 @@ TEST(ConeTip, IsNotPutOnAStump) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::cone_tip_test

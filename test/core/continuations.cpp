@@ -12,7 +12,7 @@
 #include "test/support/found_cans.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::continuations_test {
 namespace {
 
 constexpr double kRadius = 0.04, kLength = 0.12, kAway = 0.9;  // m
@@ -93,4 +93,4 @@ TEST(Continuations, OfBoxesLeaveTheCan) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::continuations_test

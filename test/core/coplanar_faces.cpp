@@ -11,7 +11,7 @@
 #include "synthetic/scene_layout.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::coplanar_faces_test {
 namespace {
 
 constexpr double kHeight = 0.08;  // m, of the boxes
@@ -347,4 +347,4 @@ TEST(CoplanarFaces, OnATubeStayFaces) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::coplanar_faces_test

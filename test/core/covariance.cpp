@@ -12,7 +12,7 @@
 #include "test/support/fit_errors.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::covariance_test {
 namespace {
 
 using test::kKinds;
@@ -300,4 +300,4 @@ TEST(PoseCovariance, IsThatOfAHeldAxis) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::covariance_test

@@ -8,7 +8,7 @@
 #include "core/extent.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::coverage_test {
 namespace {
 
 using test::kDegree;
@@ -210,4 +210,4 @@ TEST(Coverage, IsNoneWithoutInliersAndAShareWithAFew) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::coverage_test

@@ -13,7 +13,7 @@
 #include "core/fitting.h"
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::dense_fit_test {
 namespace {
 
 using test::kDegree;
@@ -381,4 +381,4 @@ TEST(FitPoints, OfWhatWasSeenAreThoseOfSamplesThere) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::dense_fit_test

@@ -16,7 +16,7 @@
 #include "test/support/stages.h"
 #include "test/support/wall_image.h"
 
-namespace primitect {
+namespace primitect::detector_test {
 namespace {
 
 using test::kBall;
@@ -417,4 +417,4 @@ TEST(Detector, TakesALineOfPointsForNoPlane) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::detector_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace primitect {
+namespace primitect::determination_test {
 namespace {
 
 Uncertainty uncertain(double radius_stddev, double half_angle_stddev = 0.0) {
@@ -49,4 +49,4 @@ TEST(TrustInSize, IsFullForPlanesWhichHaveNone) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::determination_test

@@ -16,7 +16,7 @@
 #include "test/support/scenes.h"
 #include "test/support/stages.h"
 
-namespace primitect {
+namespace primitect::effort_test {
 namespace {
 
 /// 60000 points, so that no draw comes to the end of them.
@@ -272,4 +272,4 @@ TEST(Effort, IsRefusedWhenItIsNoShare) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::effort_test

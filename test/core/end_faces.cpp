@@ -7,7 +7,7 @@
 
 #include "test/support/table_frame.h"
 
-namespace primitect {
+namespace primitect::end_faces_test {
 namespace {
 
 /// Checks that the end of an axis lies on the plane that is named for it; false: none is.
@@ -52,4 +52,4 @@ TEST(DetectorFaces, AreThosePlanesOnWhichAxesEnd) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::end_faces_test

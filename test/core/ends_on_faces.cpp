@@ -11,7 +11,7 @@
 #include "core/frame_around.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::ends_on_faces_test {
 namespace {
 
 constexpr double kReach = 0.01;      // m
@@ -248,4 +248,4 @@ TEST(MayStandOn, AsksWhereTheAxisMeetsThePlaneAndHow) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::ends_on_faces_test

@@ -11,7 +11,7 @@
 
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::evidence_test {
 namespace {
 
 using test::kKinds;
@@ -266,4 +266,4 @@ TEST(Confidence, IsAProbabilityForAbsurdEvidence) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::evidence_test

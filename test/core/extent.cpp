@@ -11,7 +11,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::extent_test {
 namespace {
 
 using test::patchOf;
@@ -259,4 +259,4 @@ TEST(Canonical, CylinderAxesPointUpInTheImage) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::extent_test

@@ -10,7 +10,7 @@
 
 #include "core/random.h"
 
-namespace primitect {
+namespace primitect::face_misfit_test {
 namespace {
 
 constexpr double kSigma = 0.002;  // m, along z
@@ -81,4 +81,4 @@ TEST(Unevenness, IsANumberAlsoOfAPlaneThroughTheSensor) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::face_misfit_test

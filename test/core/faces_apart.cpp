@@ -10,7 +10,7 @@
 
 #include "core/label_runs.h"
 
-namespace primitect {
+namespace primitect::faces_apart_test {
 namespace {
 
 const Plane kWall = {Vec3(0, 0, 1), -Vec3::UnitZ()};
@@ -319,4 +319,4 @@ TEST(FacesApart, AreOneInNarrowStripsWhereNothingWasMeasuredBetweenThem) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::faces_apart_test

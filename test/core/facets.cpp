@@ -10,7 +10,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::facets_test {
 namespace {
 
 using test::SurfacePoint;
@@ -80,4 +80,4 @@ TEST(FacetGroups, DoNotLeadOverAnotherShape) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::facets_test

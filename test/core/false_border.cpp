@@ -12,7 +12,7 @@
 #include "synthetic/scene_layout.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::false_border_test {
 namespace {
 
 constexpr std::uint32_t kWidth = 64, kHeight = 64, kTop = 36;
@@ -131,4 +131,4 @@ TEST(FalseBorder, OfABowlIsNotInItsOutside) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::false_border_test

@@ -7,7 +7,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::fitting_test {
 namespace {
 
 using test::kDegree;
@@ -210,4 +210,4 @@ TEST(Refine, HoldsAnAxis) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::fitting_test

@@ -9,7 +9,7 @@
 #include "primitect/detector.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::flanks_test {
 namespace {
 
 constexpr double kRadius = 0.04;  // m
@@ -77,4 +77,4 @@ TEST(Flanks, AreNoPlanes) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::flanks_test

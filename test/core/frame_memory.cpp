@@ -17,7 +17,7 @@
 #include "primitect/detector.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::frame_memory_test {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -144,4 +144,4 @@ TEST(List, OfListsIsFreedIntoEachOnesMemory) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::frame_memory_test

@@ -8,7 +8,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::half_hidden_test {
 namespace {
 
 constexpr double kRadius = 0.04, kHeight = 0.11;  // m
@@ -38,4 +38,4 @@ TEST(HalfHidden, CansAreFoundByLessThanHalfOfTheirWidth) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::half_hidden_test

@@ -11,7 +11,7 @@
 #include "test/support/noisy_points.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::hard_scenes_test {
 namespace {
 
 using test::kNoise;
@@ -330,4 +330,4 @@ TEST(Detector, FindsTheSameInAHallOfTenMetresAndInACubeOfACentimetre) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::hard_scenes_test

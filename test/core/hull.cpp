@@ -11,7 +11,7 @@
 
 #include "core/random.h"
 
-namespace primitect {
+namespace primitect::hull_test {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -77,4 +77,4 @@ TEST(ConvexHull, OfPointsOnALineOrInOnePlaceIsNoPolygon) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::hull_test

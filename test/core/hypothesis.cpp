@@ -12,7 +12,7 @@
 
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::hypothesis_test {
 namespace {
 
 using test::hypothesisOf;
@@ -412,4 +412,4 @@ TEST(InliersAround, AreTheInliersWithinReach) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::hypothesis_test

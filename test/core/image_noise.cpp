@@ -20,7 +20,7 @@
 #include "synthetic/sensors.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::image_noise_test {
 namespace {
 
 synthetic::FrameParams noisy(double scale, int grain = 1) {
@@ -328,4 +328,4 @@ TEST(ImageNoise, OfThreeTimesTheUsualLeavesTheTableInOnePiece) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::image_noise_test

@@ -9,7 +9,7 @@
 
 #include "core/ball_band.h"
 
-namespace primitect {
+namespace primitect::indistinct_test {
 namespace {
 
 const Sphere kBall = {Vec3(0.1, -0.2, 1.0), 0.08};
@@ -46,4 +46,4 @@ TEST(Indistinct, NarrowBandOfABallMayBeARing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::indistinct_test

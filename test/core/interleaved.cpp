@@ -17,7 +17,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::interleaved_test {
 namespace {
 
 using test::kDegree;
@@ -142,4 +142,4 @@ TEST(Table, SeenByAStereoCameraIsFoundOnce) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::interleaved_test

@@ -13,7 +13,7 @@
 #include "core/random.h"
 #include "kernels/loops.h"
 
-namespace primitect {
+namespace primitect::label_runs_test {
 namespace {
 
 /// Labels up to 3 and one with the highest bit, in runs of up to so many.
@@ -109,4 +109,4 @@ TEST(BoxesOfLabels, HoldTheirRunsOverSeveralRows) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::label_runs_test

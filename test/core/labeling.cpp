@@ -13,7 +13,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/noisy_points.h"
 
-namespace primitect {
+namespace primitect::labeling_test {
 namespace {
 
 using test::measured;
@@ -246,4 +246,4 @@ TEST(LabelPoints, OfNothingAreNone) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::labeling_test

@@ -14,7 +14,7 @@
 
 #include "core/random.h"
 
-namespace primitect {
+namespace primitect::latency_governor_test {
 namespace {
 
 constexpr double kLeastShare = 0.1;
@@ -348,4 +348,4 @@ TEST(LatencyGovernor, RefusesWhatIsNoBoundAndNoShare) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::latency_governor_test

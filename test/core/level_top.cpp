@@ -12,7 +12,7 @@
 #include "core/random.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::level_top_test {
 namespace {
 
 constexpr double kSigma = 0.002;  // m
@@ -140,4 +140,4 @@ TEST(LevelTops, AreNoneOfASinglePieceHoweverItLies) {
 TEST(LevelTops, AreNoneOfNothing) { EXPECT_TRUE(Tops().under(0.0, 0.0, 0.1, 0.01).tops().empty()); }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::level_top_test

@@ -11,7 +11,7 @@
 #include "primitect/detector.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::lying_tubes_test {
 namespace {
 
 /// Noise without steps, and without pixels that are lost where a tube turns away.
@@ -103,4 +103,4 @@ TEST(LyingTubes, AreFoundFromTwentyMillimetersOn) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::lying_tubes_test

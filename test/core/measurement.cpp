@@ -21,7 +21,7 @@
 #include "test/support/scenes.h"
 #include "test/support/tube_points.h"
 
-namespace primitect {
+namespace primitect::measurement_test {
 namespace {
 
 using test::kBall;
@@ -416,4 +416,4 @@ TEST(Measurement, DoesNotBelieveALonePointAtTheTipOfACone) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::measurement_test

@@ -10,7 +10,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::misfit_test {
 namespace {
 
 constexpr double kSigma = 0.002;
@@ -104,4 +104,4 @@ TEST(TrustInFit, IsFullOfOtherKinds) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::misfit_test

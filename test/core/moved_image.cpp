@@ -14,7 +14,7 @@
 #include "synthetic/poses.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::moved_image_test {
 namespace {
 
 /// Of a table, in the frame of the camera.
@@ -181,4 +181,4 @@ TEST(FindCamera, NotWhereNoCameraSawThem) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::moved_image_test

@@ -11,7 +11,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::neighbors_test {
 namespace {
 
 using test::listOf;
@@ -59,4 +59,4 @@ TEST(Neighbors, OfDifferentPointsAreAllOfThem) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::neighbors_test

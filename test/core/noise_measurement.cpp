@@ -10,7 +10,7 @@
 
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::noise_measurement_test {
 namespace {
 
 using test::hypothesisOf;
@@ -123,4 +123,4 @@ TEST(MeasuredNoise, IsNoneWhenThereIsNothingToMeasure) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::noise_measurement_test

@@ -14,7 +14,7 @@
 #include "primitect/detector.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::normals_test {
 namespace {
 
 using test::cameraCloud;
@@ -377,4 +377,4 @@ TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::normals_test

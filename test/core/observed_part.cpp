@@ -10,7 +10,7 @@
 #include "core/extent.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::observed_part_test {
 namespace {
 
 constexpr float kMargin = 0.005f;
@@ -74,4 +74,4 @@ TEST(ObservedPart, KnowsHowDeepAPointLies) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::observed_part_test

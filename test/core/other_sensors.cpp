@@ -14,7 +14,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::other_sensors_test {
 namespace {
 
 synthetic::FrameParams seenBy(const std::string& sensor) {
@@ -158,4 +158,4 @@ TEST(OtherSensors, AStereoCameraSeesTheWallBehindTheTable) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::other_sensors_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace primitect {
+namespace primitect::params_test {
 namespace {
 
 std::string refusal(const std::function<void()>& action) {
@@ -142,4 +142,4 @@ TEST(ParamYaml, ListsEveryParameterWithItsValue) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::params_test

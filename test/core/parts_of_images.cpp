@@ -10,7 +10,7 @@
 #include "primitect/detector.h"
 #include "test/support/ball_and_wall.h"
 
-namespace primitect {
+namespace primitect::parts_of_images_test {
 namespace {
 
 using test::BallAndWall;
@@ -168,4 +168,4 @@ TEST(CoarseImage, ShowsWhatAFineOneShows) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::parts_of_images_test

@@ -11,7 +11,7 @@
 #include "core/noise.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::plane_parts_test {
 namespace {
 
 using test::SurfacePoint;
@@ -187,4 +187,4 @@ TEST(PlaneParts, OfAFewHundredthsNeedNoCloserLookAndSupportNothing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::plane_parts_test

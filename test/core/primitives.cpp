@@ -5,7 +5,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::primitives_test {
 namespace {
 
 using test::pointOn;
@@ -81,4 +81,4 @@ TEST(Primitives, GiveFiniteUnitNormalsWhereTheNormalIsUndefined) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::primitives_test

@@ -12,7 +12,7 @@
 #include "primitect/detector.h"
 #include "test/support/ball_and_wall.h"
 
-namespace primitect {
+namespace primitect::projected_frames_test {
 namespace {
 
 const test::BallAndWall kScene;
@@ -236,4 +236,4 @@ TEST(ProjectedFrame, LeavesNoTraceInLaterFrames) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::projected_frames_test

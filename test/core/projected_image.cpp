@@ -13,7 +13,7 @@
 #include "core/random.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::projected_image_test {
 namespace {
 
 using test::listOf;
@@ -176,4 +176,4 @@ TEST(ProjectedImage, IsNotMadeOfWhatNoCameraSeesFromOnePlace) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::projected_image_test

@@ -7,7 +7,7 @@
 
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::proposal_test {
 namespace {
 
 using test::kDegree;
@@ -389,4 +389,4 @@ TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::proposal_test

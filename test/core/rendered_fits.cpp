@@ -10,7 +10,7 @@
 #include "synthetic/tabletop.h"
 #include "test/support/fit_errors.h"
 
-namespace primitect {
+namespace primitect::rendered_fits_test {
 namespace {
 
 using test::normalisedError;
@@ -90,4 +90,4 @@ TEST(FitsToRenderedFrames, AreBetterOnceTheirBiasIsTakenOut) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::rendered_fits_test

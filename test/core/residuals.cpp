@@ -7,7 +7,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::residuals_test {
 namespace {
 
 using test::randomDirection;
@@ -101,4 +101,4 @@ TEST(SteppedBeside, IsNoConeWhereTheCircleShrinksToNothing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::residuals_test

@@ -10,7 +10,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::sample_graph_test {
 namespace {
 
 using test::SurfacePoint;
@@ -213,4 +213,4 @@ TEST(LargeParts, LeaveOutWhatIsTooSmallTogether) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::sample_graph_test

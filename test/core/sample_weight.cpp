@@ -9,7 +9,7 @@
 #include "test/support/candidates.h"
 #include "test/support/noisy_points.h"
 
-namespace primitect {
+namespace primitect::sample_weight_test {
 namespace {
 
 TEST(SampleWeight, IsOneUpToADozenPixelsThenInProportionUpToTwo) {
@@ -47,4 +47,4 @@ TEST(SampleWeight, IsOfLaterDrawsUntilTheNextFrame) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::sample_weight_test

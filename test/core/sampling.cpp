@@ -14,7 +14,7 @@
 #include "core/point_runs.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::sampling_test {
 namespace {
 
 using test::cameraCloud;
@@ -262,4 +262,4 @@ TEST(Sampling, MeasuresTheBoundingBox) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::sampling_test

@@ -10,7 +10,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::scan_rows_test {
 namespace {
 
 /// All rows but every so-many-th are missing.
@@ -75,4 +75,4 @@ TEST(ScanRows, OneOfThemShowsNothing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::scan_rows_test

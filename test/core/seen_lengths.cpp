@@ -13,7 +13,7 @@
 #include "test/support/scenes.h"
 #include "test/support/table_frame.h"
 
-namespace primitect {
+namespace primitect::seen_lengths_test {
 namespace {
 
 /// Of this kind and in about this place; null: none.
@@ -131,4 +131,4 @@ TEST(SeenLengths, InListsDoNotGoOnWhereACanTouchesTheTable) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::seen_lengths_test

@@ -10,7 +10,7 @@
 
 #include "test/support/table_frame.h"
 
-namespace primitect {
+namespace primitect::seen_outlines_test {
 namespace {
 
 /// How far (m) a point in the plane is beyond the outline, negative: within it.
@@ -72,4 +72,4 @@ TEST(SeenOutlines, GoNearlyToTheCornersOfTables) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::seen_outlines_test

@@ -16,7 +16,7 @@
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect {
+namespace primitect::seen_share_test {
 namespace {
 
 using synthetic::Rod;
@@ -341,4 +341,4 @@ TEST(TrustInShare, IsFullNearTheWholeAndGoneWhereAQuarterIsNotSeen) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::seen_share_test

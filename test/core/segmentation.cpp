@@ -11,7 +11,7 @@
 #include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::segmentation_test {
 namespace {
 
 using test::candidate;
@@ -95,4 +95,4 @@ TEST(Segmentation, LeavesSharpConesToThePointsOfTheCloud) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::segmentation_test

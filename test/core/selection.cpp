@@ -11,7 +11,7 @@
 #include "test/support/hypotheses.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::selection_test {
 namespace {
 
 using test::hypothesisOf;
@@ -338,4 +338,4 @@ TEST(Selection, LeavesOutAShapeThatFewerSamplesSpeakForThanAgainst) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::selection_test

@@ -10,7 +10,7 @@
 
 #include "test/support/fit_errors.h"
 
-namespace primitect {
+namespace primitect::shared_noise_test {
 namespace {
 
 using test::kKinds;
@@ -97,4 +97,4 @@ TEST(SharedNoise, OfPointsOnALineIsMeasuredToo) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::shared_noise_test

@@ -11,7 +11,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::standing_test {
 namespace {
 
 using test::kDegree;
@@ -94,4 +94,4 @@ TEST(StandsOn, IsNotAskedOfBallsAndPlanesNorWithoutSamples) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::standing_test

@@ -14,7 +14,7 @@
 #include "core/random.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::steady_pose_test {
 namespace {
 
 using test::angle;
@@ -198,4 +198,4 @@ TEST(SteadyPose, LeavesAsTheyAreConesBallsAndWhatHasNoBefore) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::steady_pose_test

@@ -10,7 +10,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::steep_faces_test {
 namespace {
 
 constexpr double kAway = 1.2;                                       // m
@@ -65,4 +65,4 @@ TEST(SteepFaces, AreFoundWhereTheCameraErrsSideways) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::steep_faces_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace primitect {
+namespace primitect::strip_test {
 namespace {
 
 double trust(double length, double width, float runs_into) {
@@ -49,4 +49,4 @@ TEST(TrustInStrip, GoesDownInBetween) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::strip_test

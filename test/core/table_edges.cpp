@@ -11,7 +11,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::table_edges_test {
 namespace {
 
 constexpr double kThickness = 0.08, kEdge = 0.02, kAway = 1.2;  // m
@@ -47,4 +47,4 @@ TEST(TableEdges, TakeNeitherTheTopNorTheFront) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::table_edges_test

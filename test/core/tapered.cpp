@@ -10,7 +10,7 @@
 #include "core/fitting.h"
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::tapered_test {
 namespace {
 
 constexpr double kDegree = test::kDegree;
@@ -104,4 +104,4 @@ TEST(Tapered, IsWhereTheFitOfAConeGetsToTheTruth) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::tapered_test

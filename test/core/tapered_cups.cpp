@@ -13,7 +13,7 @@
 #include "test/support/rendered_cloud.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::tapered_cups_test {
 namespace {
 
 using test::kDegree;
@@ -189,4 +189,4 @@ TEST(TaperedCups, AreNotWhereCansLean) {
 TEST(TaperedCups, AreNotWhereCansStandStraight) { expectCylinders(0.05, std::nullopt); }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::tapered_cups_test

@@ -12,7 +12,7 @@
 
 #include "test/support/tube_points.h"
 
-namespace primitect {
+namespace primitect::thin_ends_test {
 namespace {
 
 const Cylinder kTube = {Vec3(0.1, 0.2, 1.0), Vec3(0.6, 0.0, 0.8), 0.03};
@@ -67,4 +67,4 @@ TEST(ThinEnds, AreNotLookedForAmongFewPoints) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::thin_ends_test

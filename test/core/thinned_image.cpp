@@ -9,7 +9,7 @@
 #include "primitect/image_step.h"
 #include "test/support/wall_image.h"
 
-namespace primitect {
+namespace primitect::thinned_image_test {
 namespace {
 
 TEST(ImageStep, LeavesEnoughPixelsColumnsAndRows) {
@@ -107,4 +107,4 @@ TEST(ThinnedImage, HasTheRaysOfTheImage) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::thinned_image_test

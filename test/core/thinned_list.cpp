@@ -11,7 +11,7 @@
 
 #include "test/support/wall_image.h"
 
-namespace primitect {
+namespace primitect::thinned_list_test {
 namespace {
 
 /// The same points one after the other, without order in an image.
@@ -90,4 +90,4 @@ TEST(ThinnedList, OfTheNextFrameIsThatFrames) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::thinned_list_test

@@ -18,7 +18,7 @@
 #include "synthetic/tabletop.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::tracked_tables_test {
 namespace {
 
 using test::angle;
@@ -137,4 +137,4 @@ TEST(Tracks, OfPlanesOnATableKeepTheirSides) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::tracked_tables_test

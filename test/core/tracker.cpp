@@ -11,7 +11,7 @@
 
 #include "core/random.h"
 
-namespace primitect {
+namespace primitect::tracker_test {
 namespace {
 
 constexpr double kFrame = 1.0 / 30.0;  // s
@@ -225,4 +225,4 @@ TEST(Tracker, GivesWhatHasNoPlaceANewNumberEachTime) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::tracker_test

@@ -7,7 +7,7 @@
 
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::transforms_test {
 namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
@@ -69,4 +69,4 @@ TEST(Transforms, TurnErrorsOfPositionAndTurnLikewise) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::transforms_test

@@ -12,7 +12,7 @@
 #include "synthetic/scene_layout.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect {
+namespace primitect::truncation_test {
 namespace {
 
 using synthetic::Box;
@@ -298,4 +298,4 @@ TEST(ImageRays, EndWhereTheSensorMeasuresNothing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::truncation_test

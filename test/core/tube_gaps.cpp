@@ -15,7 +15,7 @@
 #include "synthetic/sensors.h"
 #include "test/support/rendered_cloud.h"
 
-namespace primitect {
+namespace primitect::tube_gaps_test {
 namespace {
 
 constexpr double kRadius = 0.033, kHalf = 0.06;  // m, of each can
@@ -156,4 +156,4 @@ TEST(TubeGaps, AreNoneWithoutPoints) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::tube_gaps_test

@@ -16,7 +16,7 @@
 #include "test/support/scenes.h"
 #include "test/support/uneven_wall.h"
 
-namespace primitect {
+namespace primitect::uneven_planes_test {
 namespace {
 
 /// Samples of which a wall is unexplained, and a plane before them is not.
@@ -191,4 +191,4 @@ TEST(UnevenPlanes, AreFoundInFrames) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::uneven_planes_test

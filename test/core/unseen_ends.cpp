@@ -16,7 +16,7 @@
 #include "synthetic/clutter.h"
 #include "test/support/table_frame.h"
 
-namespace primitect {
+namespace primitect::unseen_ends_test {
 namespace {
 
 /// How far (m) an end of a found rod is from the end of the body: positive where the body goes on.
@@ -150,4 +150,4 @@ TEST(UnseenEnds, OfAThingOfFewPixelsAreWithinThreeOfThem) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::unseen_ends_test

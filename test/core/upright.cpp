@@ -12,7 +12,7 @@
 #include "core/fitting.h"
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::upright_test {
 namespace {
 
 using test::kDegree;
@@ -132,4 +132,4 @@ TEST(UprightShape, IsNoneOfPlanesAndBalls) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::upright_test

@@ -11,7 +11,7 @@
 #include "test/support/noisy_points.h"
 #include "test/support/scenes.h"
 
-namespace primitect {
+namespace primitect::verification_test {
 namespace {
 
 using test::kDegree;
@@ -519,4 +519,4 @@ TEST(Unexplained, AreSamplesOfNobodyWhereManyAreTogether) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::verification_test

@@ -10,7 +10,7 @@
 #include "test/support/candidates.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::voting_test {
 namespace {
 
 using test::candidatesOf;
@@ -217,4 +217,4 @@ TEST(PairVoting, SkipsSamplesWithoutNormals) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::voting_test

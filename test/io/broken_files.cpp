@@ -7,7 +7,7 @@
 #include "io/point_files.h"
 #include "temporary_folder.h"
 
-namespace primitect::io {
+namespace primitect::io::broken_files_test {
 namespace {
 
 using test::bytesOf;
@@ -238,4 +238,4 @@ TEST_F(BrokenFiles, NeverCrashTheReaderHoweverTheyAreBroken) {
 }
 
 }  // namespace
-}  // namespace primitect::io
+}  // namespace primitect::io::broken_files_test

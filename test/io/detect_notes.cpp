@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "detect_fixture.h"
 
+namespace detect_notes_test {
 namespace {
 
 using primitect::test::ballImage;
@@ -123,3 +124,4 @@ TEST_F(DetectNotes, TellHowNoisyTheCameraIs) {
 }
 
 }  // namespace
+}  // namespace detect_notes_test

@@ -7,6 +7,7 @@
 
 #include "detect_fixture.h"
 
+namespace detect_program_test {
 namespace {
 
 using primitect::test::ballImage;
@@ -296,3 +297,4 @@ TEST_F(DetectProgram, ExplainsItself) {
 }
 
 }  // namespace
+}  // namespace detect_program_test

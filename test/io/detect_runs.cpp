@@ -6,6 +6,7 @@
 #include "detect_fixture.h"
 #include "tools/stage_timing.h"
 
+namespace detect_runs_test {
 namespace {
 
 using primitect::io::Timing;
@@ -150,3 +151,4 @@ TEST_F(DetectRuns, GiveTheSameResultForAFileAmongOthers) {
 }
 
 }  // namespace
+}  // namespace detect_runs_test

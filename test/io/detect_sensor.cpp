@@ -9,6 +9,7 @@
 #include "io/shape_json.h"
 #include "primitect/transforms.h"
 
+namespace detect_sensor_test {
 namespace {
 
 using primitect::Vec3;
@@ -237,3 +238,4 @@ TEST_F(DetectSensor, RefusesWhatIsNoPose) {
 }
 
 }  // namespace
+}  // namespace detect_sensor_test

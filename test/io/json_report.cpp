@@ -9,7 +9,7 @@
 #include "io/shape_text.h"
 #include "test/support/json_text.h"
 
-namespace primitect::io {
+namespace primitect::io::json_report_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -264,4 +264,4 @@ TEST(WordsForPeople, CountOnlyTheRefusalsThatWere) {
 }
 
 }  // namespace
-}  // namespace primitect::io
+}  // namespace primitect::io::json_report_test

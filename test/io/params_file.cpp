@@ -5,7 +5,7 @@
 
 #include "temporary_folder.h"
 
-namespace primitect::io {
+namespace primitect::io::params_file_test {
 namespace {
 
 class ParamsFiles : public test::TemporaryFolder {
@@ -105,4 +105,4 @@ TEST_F(ParamsFiles, AreRefusedWhenTheyAreNotFlatYaml) {
 }
 
 }  // namespace
-}  // namespace primitect::io
+}  // namespace primitect::io::params_file_test

@@ -12,7 +12,7 @@
 #include "io/outlines.h"
 #include "temporary_folder.h"
 
-namespace primitect::io {
+namespace primitect::io::picture_test {
 namespace {
 
 constexpr Intrinsics kLens = {500.0, 500.0, 319.5, 239.5};
@@ -221,4 +221,4 @@ TEST_F(LabelFiles, ThatCannotBeWrittenAreReported) {
 }
 
 }  // namespace
-}  // namespace primitect::io
+}  // namespace primitect::io::picture_test

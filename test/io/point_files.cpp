@@ -12,7 +12,7 @@
 
 #include "temporary_folder.h"
 
-namespace primitect::io {
+namespace primitect::io::point_files_test {
 namespace {
 
 using test::bytesOf;
@@ -218,4 +218,4 @@ TEST(IntrinsicsFromText, AreFourNumbers) {
 }
 
 }  // namespace
-}  // namespace primitect::io
+}  // namespace primitect::io::point_files_test

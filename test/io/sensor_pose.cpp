@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-namespace primitect::io {
+namespace primitect::io::sensor_pose_test {
 namespace {
 
 TEST(SensorPose, TakesWhatTfEchoPrints) {
@@ -44,4 +44,4 @@ TEST(SensorPose, IsWrittenAsItIsRead) {
 }
 
 }  // namespace
-}  // namespace primitect::io
+}  // namespace primitect::io::sensor_pose_test

@@ -9,7 +9,7 @@
 //
 #include "kernels/vector_math.h"
 
-namespace primitect::kernels {
+namespace primitect::kernels::approximations_test {
 namespace {
 
 constexpr int kSteps = 1000000;
@@ -55,4 +55,4 @@ TEST(AngleInHalfPlane, IsThatOfThePlane) {
 TEST(AngleInQuadrant, IsZeroWhereThereIsNoDirection) { EXPECT_EQ(angleInQuadrant(Floats{}, Floats{})[0], 0.0f); }
 
 }  // namespace
-}  // namespace primitect::kernels
+}  // namespace primitect::kernels::approximations_test

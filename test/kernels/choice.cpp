@@ -11,7 +11,7 @@
 #include "primitect/detector.h"
 #include "primitect/kernel_choice.h"
 
-namespace primitect {
+namespace primitect::choice_test {
 namespace {
 
 TEST(Kernels, ScalarAndPortableRunEverywhere) {
@@ -49,4 +49,4 @@ TEST(Environment, DecidesWhichKernelsADetectorUses) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::choice_test

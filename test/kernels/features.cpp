@@ -5,7 +5,7 @@
 
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::features_test {
 namespace {
 
 using kernels::OrientedPoint;
@@ -196,4 +196,4 @@ TEST(ConeVotes, GiveAxisDistanceAndAxisDirection) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::features_test

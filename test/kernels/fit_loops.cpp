@@ -13,7 +13,7 @@
 #include "core/residuals.h"
 #include "test/support/hypotheses.h"
 
-namespace primitect {
+namespace primitect::fit_loops_test {
 namespace {
 
 using kernels::kLanes;
@@ -288,4 +288,4 @@ TEST(AlongRays, AreTheSameOnEveryInstructionSet) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::fit_loops_test

@@ -13,7 +13,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/noisy_points.h"
 
-namespace primitect {
+namespace primitect::kernels_agree_test {
 namespace {
 
 using kernels::Kernels;
@@ -288,4 +288,4 @@ INSTANTIATE_TEST_SUITE_P(Available, EachKernel, ::testing::ValuesIn(available())
                          [](const auto& info) { return std::string(info.param->name); });
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::kernels_agree_test

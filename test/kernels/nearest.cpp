@@ -10,7 +10,7 @@
 #include "core/leaf_tree.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::nearest_test {
 namespace {
 
 using kernels::kLeafSize;
@@ -89,4 +89,4 @@ TEST(Nearest, AreNoneOfASingleSample) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::nearest_test

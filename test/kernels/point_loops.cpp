@@ -11,7 +11,7 @@
 #include "core/random.h"
 #include "kernels/loops.h"
 
-namespace primitect::kernels {
+namespace primitect::kernels::point_loops_test {
 namespace {
 
 const std::vector<Shape> kShapes = {Plane{Vec3(0.1, 0, 1), Vec3(0, 0.6, -0.8)}, Sphere{Vec3(0, 0.1, 1), 0.3},
@@ -193,4 +193,4 @@ TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
 }
 
 }  // namespace
-}  // namespace primitect::kernels
+}  // namespace primitect::kernels::point_loops_test

@@ -6,7 +6,7 @@
 #include "core/axis_ball.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::spreading_test {
 namespace {
 
 using kernels::BallSpread;
@@ -158,4 +158,4 @@ TEST(AxisBall, NeighborhoodsHoldWhatAVoteNearTheBinTouches) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::spreading_test

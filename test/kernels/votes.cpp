@@ -9,7 +9,7 @@
 #include "core/accumulators.h"
 #include "test/support/exact_shapes.h"
 
-namespace primitect {
+namespace primitect::votes_test {
 namespace {
 
 using test::kDegree;
@@ -387,4 +387,4 @@ TEST(Votes, SurviveRandomNoise) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::votes_test

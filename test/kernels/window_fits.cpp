@@ -11,7 +11,7 @@
 #include "test/support/exact_shapes.h"
 #include "test/support/plain_window_fit.h"
 
-namespace primitect {
+namespace primitect::window_fits_test {
 namespace {
 
 using kernels::allLoops;
@@ -201,4 +201,4 @@ TEST(WindowFits, FindNothingWhereNothingWasMeasured) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::window_fits_test

@@ -12,7 +12,7 @@
 #include "io/params_file.h"
 #include "primitect/params.h"
 
-namespace primitect {
+namespace primitect::configuration_test {
 namespace {
 
 const std::filesystem::path kConfig = std::filesystem::path(PRIMITECT_SOURCE_DIR) / "config";
@@ -66,4 +66,4 @@ TEST(Configuration, DefaultYamlLoadsWithEveryLineSwitchedOn) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::configuration_test

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-namespace primitect {
+namespace primitect::back_jumps_test {
 namespace {
 
 using namespace ros_layer;
@@ -94,4 +94,4 @@ TEST(BackJumps, OfTwoSourcesAreOftenAfterALoopToo) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::back_jumps_test

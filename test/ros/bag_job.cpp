@@ -30,7 +30,7 @@
 #include "synthetic/tabletop.h"
 #include "test/io/temporary_folder.h"
 
-namespace primitect {
+namespace primitect::bag_job_test {
 namespace {
 
 using namespace ros_layer;
@@ -551,4 +551,4 @@ TEST_F(BagJobs, RefuseWhatIsNoBag) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::bag_job_test

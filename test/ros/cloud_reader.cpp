@@ -14,7 +14,7 @@
 #include "cloud_messages.h"
 #include "core/thinned_image.h"
 
-namespace primitect {
+namespace primitect::cloud_reader_test {
 namespace {
 
 using ros_layer::readCloud;
@@ -295,4 +295,4 @@ TEST(CloudReader, RefusesBigEndianData) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::cloud_reader_test

@@ -16,7 +16,7 @@
 #include "synthetic/poses.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect {
+namespace primitect::cloud_sequence_test {
 namespace {
 
 using namespace ros_layer;
@@ -163,4 +163,4 @@ TEST(CloudSequences, SayWhichFramesAreNotConnected) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::cloud_sequence_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace primitect::ros_layer {
+namespace primitect::ros_layer::compressed_depth_test {
 namespace {
 
 /// Two rows: 0 . 1 . 1000 / 65535 . 7 . 300.
@@ -129,4 +129,4 @@ TEST(CompressedDepth, ThatIsBrokenIsTold) {
 }
 
 }  // namespace
-}  // namespace primitect::ros_layer
+}  // namespace primitect::ros_layer::compressed_depth_test

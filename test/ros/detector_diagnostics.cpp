@@ -8,7 +8,7 @@
 #include "cloud_messages.h"
 #include "ros/frame_pipeline.h"
 
-namespace primitect {
+namespace primitect::detector_diagnostics_test {
 namespace {
 
 using namespace ros_layer;
@@ -70,4 +70,4 @@ TEST(Refusals, SayWhyAWallIsMissing) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::detector_diagnostics_test

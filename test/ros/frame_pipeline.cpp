@@ -17,7 +17,7 @@
 #include "synthetic/poses.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect {
+namespace primitect::frame_pipeline_test {
 namespace {
 
 using namespace ros_layer;
@@ -329,4 +329,4 @@ TEST(MaxLatency, IsTurnedOnAndOffWithTheParameters) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::frame_pipeline_test

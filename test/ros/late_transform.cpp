@@ -15,7 +15,7 @@
 
 #include "ros/steady_time.h"
 
-namespace primitect {
+namespace primitect::late_transform_test {
 namespace {
 
 using namespace ros_layer;
@@ -164,4 +164,4 @@ TEST(LateTransform, KeepsLengthsAlsoWhereTf2TookALongerQuaternion) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::late_transform_test

@@ -10,7 +10,7 @@
 
 #include "ros/messages.h"
 
-namespace primitect {
+namespace primitect::markers_test {
 namespace {
 
 using namespace ros_layer;
@@ -203,4 +203,4 @@ TEST(Markers, LeaveOutSurfacesWithoutAnExtent) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::markers_test

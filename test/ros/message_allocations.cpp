@@ -12,7 +12,7 @@
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect {
+namespace primitect::message_allocations_test {
 namespace {
 
 using ros_layer::FramePipeline;
@@ -60,4 +60,4 @@ TEST(MessageAllocations, AreNoneWithABoundOnTheTime) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::message_allocations_test

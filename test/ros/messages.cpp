@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace primitect {
+namespace primitect::messages_test {
 namespace {
 
 using namespace ros_layer;
@@ -229,4 +229,4 @@ TEST(Messages, KeepWhatIsSureAboutAPlaneSureInAnotherFrame) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::messages_test

@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-namespace primitect {
+namespace primitect::parameters_test {
 namespace {
 
 using namespace ros_layer;
@@ -82,4 +82,4 @@ TEST(Parameters, SurviveTheWayToTheConfigAndBack) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::parameters_test

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-namespace primitect {
+namespace primitect::steady_time_test {
 namespace {
 
 using namespace ros_layer;
@@ -70,4 +70,4 @@ TEST(StageTimes, ForgetAFrameThatWasNotFinished) {
 }
 
 }  // namespace
-}  // namespace primitect
+}  // namespace primitect::steady_time_test

@@ -7,7 +7,7 @@
 
 #include "ros/geometry_messages.h"
 
-namespace primitect::ros_layer {
+namespace primitect::ros_layer::tracking_test {
 namespace {
 
 Primitive primitiveAt(std::uint8_t type, double x) {
@@ -138,4 +138,4 @@ TEST(Tracks, EndByTheStampsAlsoOfEmptyMessages) {
 }
 
 }  // namespace
-}  // namespace primitect::ros_layer
+}  // namespace primitect::ros_layer::tracking_test

@@ -15,7 +15,7 @@
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::clutter_test {
 namespace {
 
 constexpr int kSeeds = 20;
@@ -244,4 +244,4 @@ TEST(ShapelessTable, ShowsMoreThanItsTable) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::clutter_test

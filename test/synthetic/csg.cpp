@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::csg_test {
 namespace {
 
 Placed at(double x, double y, double z, const Solid& solid) {
@@ -116,4 +116,4 @@ TEST(Csg, RefusesWhatItCannotSample) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::csg_test

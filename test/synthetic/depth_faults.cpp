@@ -13,7 +13,7 @@
 
 #include "synthetic/sensors.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::depth_faults_test {
 namespace {
 
 const PinholeCamera kCamera;
@@ -169,4 +169,4 @@ TEST(Sensors, FaultsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::depth_faults_test

@@ -10,7 +10,7 @@
 #include "synthetic/tabletop.h"
 #include "synthetic/truth.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::ground_truth_test {
 namespace {
 
 const PinholeCamera kCamera;
@@ -241,4 +241,4 @@ TEST(Outline, SmallestRectangleFollowsATurnedOne) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::ground_truth_test

@@ -12,7 +12,7 @@
 #include "solids.h"
 #include "synthetic/raycast.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::hall_test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 40;
@@ -102,4 +102,4 @@ TEST(Hall, IsTheSameForTheSameSeedOnly) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::hall_test

@@ -14,7 +14,7 @@
 #include "solids.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::heap_test {
 namespace {
 
 constexpr int kSeeds = 12;
@@ -118,4 +118,4 @@ TEST(Heap, IsTheSameForTheSameSeedOnly) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::heap_test

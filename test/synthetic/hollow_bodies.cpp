@@ -11,7 +11,7 @@
 #include "synthetic/raycast.h"
 #include "synthetic/truth.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::hollow_bodies_test {
 namespace {
 
 const PinholeCamera kSmallCamera{160, 120, 142.6, 142.6, 79.5, 59.5};
@@ -248,4 +248,4 @@ TEST(World, RefusesHollowBodiesWithoutRoomInside) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::hollow_bodies_test

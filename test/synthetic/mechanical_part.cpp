@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::mechanical_part_test {
 namespace {
 
 constexpr int kSeeds = 12;
@@ -151,4 +151,4 @@ TEST(MechanicalPart, RefusesNumbersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::mechanical_part_test

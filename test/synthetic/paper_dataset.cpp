@@ -12,6 +12,7 @@
 #include "core/random.h"
 #include "synthetic/neighbor_grid.h"
 
+namespace paper_dataset_test {
 namespace {
 
 using namespace primitect;
@@ -165,3 +166,4 @@ TEST(NeighborGrid, FindsWhatAPlainSearchFinds) {
 }
 
 }  // namespace
+}  // namespace paper_dataset_test

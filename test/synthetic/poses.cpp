@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::poses_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -23,4 +23,4 @@ TEST(RobotFromCamera, HasTheImagesRightSideToTheRightAndItsLowerSideBelow) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::poses_test

@@ -10,7 +10,7 @@
 
 #include "solids.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::raycast_test {
 namespace {
 
 const PinholeCamera kSmallCamera{160, 120, 142.6, 142.6, 79.5, 59.5};
@@ -174,4 +174,4 @@ TEST(World, SurfaceNormalsPointOutOfTheBody) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::raycast_test

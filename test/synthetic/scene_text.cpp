@@ -15,7 +15,7 @@
 #include "synthetic/poses.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::scene_text_test {
 namespace {
 
 std::size_t bodiesIn(const World& world) { return world.bodies().size(); }
@@ -143,4 +143,4 @@ TEST(SceneText, PutsTheCameraWhereItSays) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::scene_text_test

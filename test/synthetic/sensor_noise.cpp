@@ -12,7 +12,7 @@
 #include "synthetic/raycast.h"
 #include "synthetic/world.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::sensor_noise_test {
 namespace {
 
 const PinholeCamera kCamera;
@@ -303,4 +303,4 @@ TEST(SensorNoise, RefusesParametersOutOfRangeByName) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::sensor_noise_test

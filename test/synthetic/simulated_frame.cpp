@@ -11,7 +11,7 @@
 #include "synthetic/frame.h"
 #include "synthetic/tabletop.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::simulated_frame_test {
 namespace {
 
 const PinholeCamera kCamera;
@@ -112,4 +112,4 @@ TEST(SimulatedFrame, CloudHoldsThePointsOfTheDepthImageWithinTheRange) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::simulated_frame_test

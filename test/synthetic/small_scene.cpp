@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace small_scene_test {
 namespace {
 
 using namespace primitect;
@@ -99,3 +100,4 @@ TEST(SmallScene, RefusesNumbersOutOfRange) {
 }
 
 }  // namespace
+}  // namespace small_scene_test

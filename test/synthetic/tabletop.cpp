@@ -12,7 +12,7 @@
 #include "synthetic/camera.h"
 #include "synthetic/raycast.h"
 
-namespace primitect::synthetic {
+namespace primitect::synthetic::tabletop_test {
 namespace {
 
 constexpr int kSeeds = 50;
@@ -180,4 +180,4 @@ TEST(Tabletop, IsTheSameForTheSameSeedOnly) {
 }
 
 }  // namespace
-}  // namespace primitect::synthetic
+}  // namespace primitect::synthetic::tabletop_test

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace primitect {
+
+constexpr double kDegree = M_PI / 180.0;  ///< rad
+
+}  // namespace primitect
