@@ -9,6 +9,10 @@ if(NOT TARGET tests)
   add_custom_target(tests)
 endif()
 find_package(GTest REQUIRED)
+if(NOT TARGET GTest::gtest)  # CMake before 3.20 has another name for it
+  add_library(GTest::gtest INTERFACE IMPORTED)
+  target_link_libraries(GTest::gtest INTERFACE GTest::GTest)
+endif()
 
 # What takes long to compile and many tests need, compiled once: headers, decompositions, patterns, JSON; and main().
 add_library(primitect_test_support STATIC EXCLUDE_FROM_ALL
@@ -56,6 +60,9 @@ endfunction()
 
 function(primitect_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;LIBRARIES")
+  if(NOT arg_TESTS OR arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "primitect_tests(${program}): names of tests follow TESTS, libraries LIBRARIES")
+  endif()
   set(tests)
   foreach(name ${arg_TESTS})
     primitect_sanitized_test(done ${name} ${program} ${arg_LIBRARIES})

@@ -16,11 +16,11 @@ namespace {
 /// The correction is a mean over so many points at most. Along rays it can be many times the random error, and its
 /// tenth still is as much; otherwise more than these take 4 % of the instructions of the paper's scenes, and errors are
 /// no smaller.
-constexpr std::size_t kMostAcrossRays = 251, kMostAlongRays = 1021;
+constexpr std::size_t kMostAlongAxes = 251, kMostAlongRays = 1021;
 using BiasPoints = SomePoints<kMostAlongRays>;
 constexpr std::size_t kRoom = BiasPoints::kRoom;
 
-/// BiasSums over the points that took part in the fit.
+/// Sums over the points that took part in the fit.
 struct BiasSums {
   Hessian information = Hessian::Zero();  ///< of g g' / sigma^2
   Gradient bias = Gradient::Zero();       ///< of E[r g] / sigma^2
@@ -134,7 +134,7 @@ T corrected(const T& shape, BiasSums sums) {
 }  // namespace
 
 Shape withoutBias(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, NoiseDirection direction) {
-  const BiasPoints points(inliers, direction == NoiseDirection::along_ray ? kMostAlongRays : kMostAcrossRays);
+  const BiasPoints points(inliers, direction == NoiseDirection::along_ray ? kMostAlongRays : kMostAlongAxes);
   const BiasSums sums = sumsOf(shape, points, sigma, direction);
   return std::visit([&sums](const auto& s) -> Shape { return corrected(s, sums); }, shape);
 }

@@ -56,7 +56,7 @@ struct Ball {
   }
 };
 
-/// PlacesOnShape on a shape, with what is known of them so far.
+/// Places on a shape, with what is known of them so far.
 struct PlacesOnShape {
   std::size_t count;
   float x[kPlacesAtOnce], y[kPlacesAtOnce], z[kPlacesAtOnce];

@@ -15,7 +15,7 @@
 namespace primitect {
 namespace {
 
-/// FitSums over the points that took part in the fit; g: gradient of the distance, u = distance / sigma, and
+/// Sums over the points that took part in the fit; g: gradient of the distance, u = distance / sigma, and
 /// psi(u) = u (1 - (u / 3)^2)^2 of Tukey's biweight.
 struct FitSums {
   double count = 0.0;

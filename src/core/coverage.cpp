@@ -19,13 +19,13 @@ using Vec2 = Eigen::Vector2d;
 
 /// A share of one half is then known to 0.05, of evenly spread ones. Twice as many take .8 % more of a frame.
 constexpr std::size_t kProbes = 64;
-/// WeightedPlaces of a plane that tell how its outline cuts what lies around a probe; every second one is a probe.
+/// Places of a plane that tell how its outline cuts what lies around a probe; every second one is a probe.
 constexpr std::size_t kPlaces = 2 * kProbes;
 constexpr std::size_t kMostInliers = 400;
 /// Inliers around a probe: enough that chance leaves no hole, see covered().
 constexpr double kNeighbors = 24.0;
 
-/// WeightedPlaces with weights, filled up to whole lanes with such that weigh nothing.
+/// Places with weights, filled up to whole lanes with such that weigh nothing.
 struct WeightedPlaces {
   List<float> x, y, z, weight;
 
@@ -131,7 +131,7 @@ struct Outline {
   }
 };
 
-/// WeightedPlaces all over a square of 1, evenly spread (R2 sequence).
+/// Places all over a square of 1, evenly spread (R2 sequence).
 std::vector<Vec2> spreadPlaces(std::size_t count) {
   constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
   std::vector<Vec2> places;
@@ -142,7 +142,7 @@ std::vector<Vec2> spreadPlaces(std::size_t count) {
   return places;
 }
 
-/// WeightedPlaces all over the outline.
+/// Places all over the outline.
 List<Vec2> placesIn(const Outline& outline) {
   constexpr std::size_t kMostTimes = 10;
   static const std::vector<Vec2> kSpread = spreadPlaces(kMostTimes * kPlaces);

@@ -54,8 +54,9 @@ Features featuresOf(Kind kind, const Evidence& e) {
 }
 
 // A row a kind. Those of balls and cones are what eval/calibrate printed, that of planes is of an earlier fit, with a
-// tenth more for what is against, which is less since (noise.cpp), that of tubes the mean of an earlier one and what
-// it printed, but for the last number (eval/README.md). Of tubes it printed
+// tenth more for what is against, as samples speak against a shape from less far away in depth frames since then
+// (noise.cpp; the other rows were printed anew there, and came out as they are), that of tubes the mean of an earlier
+// one and what it printed, but for the last number (eval/README.md). Of tubes it printed
 // -10, 1.82, 1.29, -16, -3.98, 4.03, 3.51, 0, 1.9: with that 96.8 / 91.9 % instead of 97.3 / 92.4 on tables seen by
 // a stereo camera (compare --set tabletop --sensor stereo --seeds 5000:40). Of planes -6.54, 0.685, 9.46, -9.82, -2.65,
 // 0, 0, 3.04: as much is lost as gained, 98.2 / 96.6 % instead of 97.5 / 96.9 on tables whose noise five pixels share

@@ -22,13 +22,13 @@ constexpr std::size_t kFewestParts = 6;
 constexpr double kFitted = 4.0;  // numbers of a ball: so many parts agree with it by its fit
 
 /// As it is seen from the middle of a ball.
-struct FromMiddle {
+struct BallSight {
   Vec3 way;         ///< to it, of unit length
   double distance;  ///< to the surface (m), outside positive
 };
 
-List<FromMiddle> sightsOf(const Sphere& ball, const SeenPoints& seen) {
-  List<FromMiddle> sights;
+List<BallSight> sightsOf(const Sphere& ball, const SeenPoints& seen) {
+  List<BallSight> sights;
   if (seen.empty()) return sights;
   const SomePoints<kMostSights> points(seen);
   for (std::size_t i = 0; i < points.count; ++i) {
@@ -57,14 +57,14 @@ struct RingPart {
 };
 
 /// A quarter of the turn each, in rings around where most is seen; empty where that is nowhere.
-std::array<RingPart, kParts> partsOf(const List<FromMiddle>& sights) {
+std::array<RingPart, kParts> partsOf(const List<BallSight>& sights) {
   Vec3 middle = Vec3::Zero();
-  for (const FromMiddle& sight : sights) middle += sight.way;
+  for (const BallSight& sight : sights) middle += sight.way;
   std::array<RingPart, kParts> parts{};
   if (!(middle.norm() > 0.0)) return parts;
   const Vec3 pole = middle.normalized(), first = pole.unitOrthogonal(), second = pole.cross(first);
   List<double> heights;
-  for (const FromMiddle& sight : sights) heights.push_back(sight.way.dot(pole));
+  for (const BallSight& sight : sights) heights.push_back(sight.way.dot(pole));
   const std::array<double, kRings - 1> bounds = ringBounds(heights);
   for (std::size_t i = 0; i < sights.size(); ++i) {
     const auto below = [&](double bound) { return bound <= heights[i]; };

@@ -38,8 +38,8 @@ kernels::WindowTask taskAt(std::uint32_t pixel, const Vec3& center, int half_wid
 
 /// Of d by what its slope is above that of gentle planes (toleranceOf()), for what a camera errs sideways, as Nguyen et
 /// al. (noise.h) measured. Of walls at 75 deg to the view in recorded frames the depth has 2.4 times its noise. Without
-/// it sides of boxes at 76 to 81 deg lack many of their normals, and at 80 deg go missing (test_steep_faces). Needs the
-/// pitch.
+/// it sides of boxes at 76 to 81 deg lack many of their normals, and at 80 deg go missing (test_frames steep_faces).
+/// Needs the pitch.
 float lateralTolerance(const PixelPitch& pitch) {
   constexpr double kSideways = 2.0;  // px
   return static_cast<float>(kTolerance * kSideways * pitch.u);

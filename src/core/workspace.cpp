@@ -51,17 +51,17 @@ struct SeenSize {
 /// d_s of what a depth camera sees; 0 when all is in one place. At least its mean depth, or what was cut out of its
 /// image, like one object, would be looked at with bins and pairs so small that they tell only noise, and for radii
 /// smaller than its own.
-double sceneDiameterOfDepth(const SeenSize& view) {
-  return view.diagonal > 0.0 ? std::max(view.diagonal, view.depth) : 0.0;
+double sceneDiameterOfDepth(const SeenSize& seen) {
+  return seen.diagonal > 0.0 ? std::max(seen.diagonal, seen.depth) : 0.0;
 }
 
 /// A ball or a tube close up, alone in the image of a depth camera, may have a radius of six tenths of what is seen of
 /// it: bins of radii, which reach to `largest` (m), reach that far. Usually they do: what is around a thing makes d_s
 /// large, a wall 1.6 times its depth.
-double radiusStretch(const SeenSize& view, double largest) {
+double radiusStretch(const SeenSize& seen, double largest) {
   constexpr double kAlone = 1.5, kOfSeen = 0.6;
-  const bool alone = view.diagonal > 0.0 && view.diagonal <= kAlone * view.depth;
-  return alone ? std::max(1.0, kOfSeen * view.diagonal / largest) : 1.0;
+  const bool alone = seen.diagonal > 0.0 && seen.diagonal <= kAlone * seen.depth;
+  return alone ? std::max(1.0, kOfSeen * seen.diagonal / largest) : 1.0;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
+// What scenes are drawn with, besides what Random has.
 #pragma once
 
 #include "core/random.h"

@@ -13,7 +13,7 @@
 namespace primitect::synthetic {
 namespace {
 
-Object drawSmallBall(Random& random) {
+Object drawClutterBall(Random& random) {
   const double radius = random.uniform(0.025, 0.080);
   return {"sphere", Ball{radius}, at(0.0, radius), 0.0, radius};
 }
@@ -27,7 +27,7 @@ Object lying(const char* name, const Solid& solid, double radius, double half_le
   return {name, solid, at(0.0, radius) * tilted(kPi / 2), half_length, radius};
 }
 
-Object drawSmallRod(Random& random) {
+Object drawClutterRod(Random& random) {
   const double radius = random.uniform(0.020, 0.055), half_length = random.uniform(0.040, 0.120);
   const Rod rod{radius, half_length};
   return oneIn(2, random) ? lying("cylinder", rod, radius, half_length) : upright("cylinder", rod, radius, half_length);
@@ -60,7 +60,7 @@ Object upsideDown(const char* name, const Solid& solid, const Frustum& outside) 
   return {name, solid, at(0.0, outside.end) * tilted(kPi), 0.0, outside.end * std::tan(outside.half_angle)};
 }
 
-Object drawCutCone(Random& random) {
+Object drawClutterCone(Random& random) {
   const double half_angle = random.uniform(10.0, 35.0) * kDegree;
   const double radius = random.uniform(0.040, 0.075);
   const double end = radius / std::tan(half_angle);
@@ -136,8 +136,8 @@ Object drawShapeless(Random& random) {
 }
 
 Object drawPrimitive(Random& random) {
-  constexpr std::array<Object (*)(Random&), 7> kDraw = {drawSmallBall, drawSmallRod, drawCup, drawBowl,
-                                                        drawCutCone,   drawPot,      drawBox};
+  constexpr std::array<Object (*)(Random&), 7> kDraw = {drawClutterBall, drawClutterRod, drawCup, drawBowl,
+                                                        drawClutterCone, drawPot,        drawBox};
   return kDraw[random.below(kDraw.size())](random);
 }
 

@@ -10,6 +10,7 @@
 #include "synthetic/noise_field.h"
 
 namespace primitect::synthetic {
+
 void mixNeighbors(int width, const PinholeCamera& camera, std::vector<float>& depth) {
   const int half = width / 2;
   const std::vector<float> seen = depth;

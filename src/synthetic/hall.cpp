@@ -25,7 +25,7 @@ Pile drawTrafficCone(Random& random) {
           {"cone", Frustum{half_angle, begin, end}, at(0.0, foot + end) * tilted(kPi), 0.0, radius}};
 }
 
-Pile drawLargeBall(Random& random) {
+Pile drawHallBall(Random& random) {
   const double radius = random.uniform(0.06, 0.20);
   return {{"sphere", Ball{radius}, at(0.0, radius), 0.0, radius}};
 }
@@ -65,8 +65,8 @@ Pile drawFormless(Random& random) {
 
 /// Traffic cones are as likely as two others together.
 Pile drawThing(Random& random) {
-  constexpr std::array<Pile (*)(Random&), 8> kDraw = {drawTrafficCone, drawTrafficCone, drawLargeBall, drawBin,
-                                                      drawPillar,      drawTube,        drawCrate,     drawFormless};
+  constexpr std::array<Pile (*)(Random&), 8> kDraw = {drawTrafficCone, drawTrafficCone, drawHallBall, drawBin,
+                                                      drawPillar,      drawTube,        drawCrate,    drawFormless};
   return kDraw[random.below(kDraw.size())](random);
 }
 

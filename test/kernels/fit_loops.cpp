@@ -56,6 +56,7 @@ TEST(Gains, AreThoseOfTheShapeOnEveryInstructionSet) {
   Random random(81);
   for (const std::size_t count : {0u, 1u, 7u, 15u, 16u, 17u, 33u, 63u, 64u}) {
     Samples samples = randomSamples(count, random);
+    samples.gain_reach = count % 2 == 0 ? 1.5f : 2.0f;  // as in depth frames and elsewhere
     if (count > 5) samples.x[5] = samples.y[5] = samples.z[5] = kMissing;
     if (count > 6) samples.nx[6] = samples.ny[6] = samples.nz[6] = kMissing;
     HeldGains held;

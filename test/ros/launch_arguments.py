@@ -127,7 +127,7 @@ class LaunchedBag(unittest.TestCase):
                                              "camera_info:=elsewhere/info"))
         self.assertIn(told % "/lens/image", checked("--depth", "--camera-info=/lens/image", "/lens/image", bag))
         bag = bag_of("none.bag", {"/lens/image": Image})
-        self.assertIn("in the bag, which has none", checked("--depth", "/lens/image", bag))
+        self.assertTrue(checked("--depth", "/lens/image", bag).endswith("in the bag, which has none\n"))
 
     def test_with_something_else_on_the_topic_tells_what_it_is(self):
         bag = bag_of("image.bag", {"/lens/image": Image, "/lens/camera_info": CameraInfo})
@@ -143,7 +143,9 @@ class LaunchedBag(unittest.TestCase):
         topic = "/lens/image/compressedDepth"
         bag = bag_of("packed.bag", {topic: CompressedImage, "/lens/camera_info": CameraInfo})
         self.assertEqual(checked("--depth", topic, bag), "")
-        self.assertIn("not a sensor_msgs/CompressedImage", checked("--depth", topic, bag_of("raw.bag", {topic: Image})))
+        self.assertIn("not a sensor_msgs/PointCloud2 (depth:=%s)" % topic, checked(topic, bag))
+        self.assertIn("not a sensor_msgs/CompressedImage; the bag has",
+                      checked("--depth", topic, bag_of("raw.bag", {topic: Image})))
 
 
 class LaunchCalibrations(unittest.TestCase):

@@ -20,6 +20,7 @@ std::string testsOfFile(const std::string& name) {
       const testing::TestInfo& test = *suite.GetTestInfo(j);
       const std::string file = std::string("/") + test.file();
       if (file.size() < end.size() || file.compare(file.size() - end.size(), end.size(), end) != 0) continue;
+      if (std::string(test.name()).rfind("DISABLED_", 0) == 0) continue;
       tests += std::string(suite.name()) + "." + test.name() + ":";
     }
   }
@@ -31,6 +32,10 @@ std::string testsOfFile(const std::string& name) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   std::string tests;
+  if (argc > 1 && testing::GTEST_FLAG(filter) != "*") {
+    std::cerr << argv[0] << ": either files or a filter, not both\n";
+    return 2;
+  }
   for (int i = 1; i < argc; ++i) {
     const std::string of_file = testsOfFile(argv[i]);
     if (of_file.empty()) {
