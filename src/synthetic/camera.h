@@ -4,8 +4,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace primitect::synthetic {
+
+constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();  ///< the depth of a pixel that saw nothing
 
 /// Pinhole without distortion, in pixels; integer coordinates are pixel centres. Optical frame: x right, y down, z
 /// forward. The defaults are those of a Kinect-class sensor.

@@ -4,14 +4,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "synthetic/camera.h"
 
 namespace primitect::synthetic {
-
-constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();  ///< the depth of a pixel that saw nothing
 
 /// Every pixel that saw anything measures the mean of what the width * width pixels around it saw (width: px, odd). At
 /// edges that is a depth between, where nothing is: flying pixels.

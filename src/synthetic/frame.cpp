@@ -4,7 +4,6 @@
 #include "synthetic/frame.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -19,7 +18,7 @@ Frame renderFrame(const World& world, const PinholeCamera& camera, const Eigen::
   addNoise(params.noise, camera, seed, frame_index, frame.depth);
   // The truth has exact depth, but only where the sensor saw something.
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    if (std::isnan(frame.depth[i])) rendering.depth[i] = std::numeric_limits<float>::quiet_NaN();
+    if (std::isnan(frame.depth[i])) rendering.depth[i] = kMissing;
   }
   frame.truth = truthOf(world, camera, world_from_camera, rendering, params.truth);
   frame.surface = std::move(rendering.surface);

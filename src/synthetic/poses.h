@@ -6,10 +6,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/degree.h"
+
 namespace primitect::synthetic {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;  ///< rad
+using primitect::kDegree;
 
 /// Upright, moved by x and z (m) from the place on the table; the table is at z = 0.
 inline Eigen::Isometry3d at(double x, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, z)); }

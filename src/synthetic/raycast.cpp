@@ -72,7 +72,7 @@ void render(const World& world, const PinholeCamera& camera, const Eigen::Isomet
     const Eigen::Isometry3d body_from_camera = body.world_from_body.inverse() * world_from_camera;
     std::visit([&](const auto& solid) { draw(solid, body, camera, body_from_camera, rendering); }, body.solid);
   }
-  std::replace(rendering.depth.begin(), rendering.depth.end(), kNothing, std::numeric_limits<float>::quiet_NaN());
+  std::replace(rendering.depth.begin(), rendering.depth.end(), kNothing, kMissing);
 }
 
 }  // namespace primitect::synthetic

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/degree.h"
 #include "core/pair_voting.h"
 #include "core/random.h"
 #include "core/samples.h"
@@ -20,7 +21,7 @@
 
 namespace primitect::test {
 
-constexpr double kDegree = M_PI / 180.0;  ///< rad
+using primitect::kDegree;
 
 constexpr std::array<Kind, kKindCount> kKinds = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
 
