@@ -5,10 +5,12 @@
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
 import rosbag
+import roslaunch
 import rospy
 import yaml
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
@@ -16,16 +18,39 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
+def called(*arguments):
+    """What the command roslaunch does with them, in a copy of this process, which has loaded it already."""
+    with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+        copy = os.fork()
+        if copy == 0:
+            ended = 1
+            try:
+                os.dup2(output.fileno(), sys.stdout.fileno())
+                os.dup2(errors.fileno(), sys.stderr.fileno())
+                sys.argv[:] = ["roslaunch", *arguments]  # this list, as the package reads it in other places, too
+                roslaunch.main()
+                ended = 0
+            except SystemExit as end:
+                ended = end.code
+            finally:
+                sys.stdout.flush()
+                sys.stderr.flush()
+                os._exit(ended)
+        _, status = os.waitpid(copy, 0)
+        for file in output, errors:
+            file.seek(0)
+        return subprocess.CompletedProcess(arguments, status, output.read(), errors.read())
+
+
 def done(file, *arguments, node="/detector_rviz"):
     """Its words, and what it would start RViz, or another node, with; raises where it refuses."""
-    command = ["roslaunch", "--args", node, os.path.join(ROOT, "launch", file), "rviz:=true"]
-    run = subprocess.run(command + list(arguments), capture_output=True, text=True, check=False)
+    run = called("--args", node, os.path.join(ROOT, "launch", file), "rviz:=true", *arguments)
     if run.returncode != 0:
         raise ValueError(run.stderr)
     return run
 
 
-def roslaunch(file, *arguments):
+def started(file, *arguments):
     return done(file, *arguments).stdout
 
 
@@ -41,8 +66,9 @@ def checked(*arguments):
 
 def parameters(file, *arguments):
     """What it would set."""
-    command = ["roslaunch", "--dump-params", os.path.join(ROOT, "launch", file)]
-    return yaml.safe_load(subprocess.run(command + list(arguments), stdout=subprocess.PIPE, text=True, check=True).stdout)
+    run = called("--dump-params", os.path.join(ROOT, "launch", file), *arguments)
+    run.check_returncode()
+    return yaml.safe_load(run.stdout)
 
 
 def config(name):
@@ -87,7 +113,7 @@ class LaunchParameters(unittest.TestCase):
 class LaunchedBag(unittest.TestCase):
     def refused(self, bag):
         with self.assertRaises(ValueError) as refused:
-            roslaunch("bag.launch", "bag:=" + bag)
+            started("bag.launch", "bag:=" + bag)
         return str(refused.exception)
 
     def test_that_is_missing_or_none_is_refused_at_once(self):
@@ -110,7 +136,7 @@ class LaunchedBag(unittest.TestCase):
         before = os.environ.get("PWD", "/")
         self.addCleanup(os.environ.__setitem__, "PWD", before)
         os.environ["PWD"] = FOLDER.name
-        roslaunch("bag.launch", "bag:=a.bag")
+        started("bag.launch", "bag:=a.bag")
         os.environ["PWD"] = "/"
         self.assertIn("/a.bag: No such file", self.refused("a.bag"))
 
@@ -163,23 +189,23 @@ class LaunchViews(unittest.TestCase):
     def test_the_first_primitives_tell_the_frame_where_nobody_does(self):
         for file in FILES:
             # The empty view is between two spaces.
-            self.assertRegex(roslaunch(*file), r"rviz_in_frame \S+/config  detector/primitives .*:=", file)
+            self.assertRegex(started(*file), r"rviz_in_frame \S+/config  detector/primitives .*:=", file)
 
     def test_the_camera_s_is_the_default(self):
         for file in FILES:
-            self.assertIn("config/primitect.rviz", roslaunch(*file, "frame:=lens"), file)
-        self.assertIn("config/primitect.rviz", roslaunch("demo.launch"))
+            self.assertIn("config/primitect.rviz", started(*file, "frame:=lens"), file)
+        self.assertIn("config/primitect.rviz", started("demo.launch"))
 
     def test_the_robot_s_is_that_of_its_base_and_of_whoever_asks(self):
         for file in FILES:
             for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["frame:=lens", "view:=robot"]):
-                self.assertIn("config/robot.rviz", roslaunch(*file, *arguments), (file, arguments))
-            self.assertIn("config/primitect.rviz", roslaunch(*file, "frame:=base_link", "view:=camera"), file)
+                self.assertIn("config/robot.rviz", started(*file, *arguments), (file, arguments))
+            self.assertIn("config/primitect.rviz", started(*file, "frame:=base_link", "view:=camera"), file)
 
     def test_another_one_is_refused(self):
         for file in FILES:
             with self.assertRaisesRegex(ValueError, "view must be camera or robot, not 'bogus'"):
-                roslaunch(*file, "view:=bogus")
+                started(*file, "view:=bogus")
 
     def test_both_show_the_same(self):
         camera, robot = config("primitect.rviz"), config("robot.rviz")
