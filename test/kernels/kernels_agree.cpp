@@ -114,13 +114,17 @@ class EachKernel : public ::testing::TestWithParam<const Kernels*> {
  protected:
   const Kernels& kernel() const { return *GetParam(); }
 
-  void expectSameVotes(const Samples& samples, const Params& params, double different_votes, const std::string& what) {
-    const std::size_t step = samples.size() / 20 + 1;
+  /// The scalar one is what the others are compared with: of it that it votes at all.
+  void expectSameVotes(const Samples& samples, const Params& params, double different_votes, const std::string& what,
+                       std::size_t references = 20) {
+    const std::size_t step = samples.size() / references + 1;
     double mass = 0.0;
     for (std::size_t reference = 0; reference < samples.size(); reference += step) {
       if (!samples.hasNormal(reference)) continue;
       const Votes expected = votesOf(kernels::kScalar, samples, reference, params);
-      expectSame(expected, votesOf(kernel(), samples, reference, params), different_votes, what);
+      if (&kernel() != &kernels::kScalar) {
+        expectSame(expected, votesOf(kernel(), samples, reference, params), different_votes, what);
+      }
       mass += expected.mass();
     }
     voted_ = mass > 0.0;
@@ -167,7 +171,7 @@ TEST_P(EachKernel, FollowsEverySwitch) {
       params.detect_spheres = switches & 2;
       params.detect_cylinders = switches & 4;
       params.detect_cones = switches & 8;
-      expectSameVotes(samples, params, 0.0, std::to_string(switches) + side);
+      expectSameVotes(samples, params, 0.0, std::to_string(switches) + side, 5);
       EXPECT_EQ(voted_, switches != 0);
     }
   }
