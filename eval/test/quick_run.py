@@ -14,7 +14,7 @@ import unittest
 
 EVAL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 PROGRAMS = sys.argv.pop()
-PARTS = ("tabletop", "parts", "pictures")  # those that take seconds
+PARTS = ("tabletop", "pictures")  # those that take seconds
 
 
 class QuickRun(unittest.TestCase):
@@ -27,7 +27,7 @@ class QuickRun(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout)
             with open(os.path.join(out, "lines.jsonl"), encoding="utf-8") as file:
                 self.assertGreater(len(file.readlines()), 30)
-            for name in ("tabletop.csv", "parts.csv", "scores.csv", "summary.md"):
+            for name in ("tabletop.csv", "scores.csv", "summary.md"):
                 self.assertIn(name, os.listdir(out))
             for pattern, least in (("plots/*.png", 2), ("pictures/*.png", 3)):
                 self.assertGreaterEqual(len(glob.glob(os.path.join(out, pattern))), least, pattern)
