@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Which tests run with sanitizers, and how: with PRIMITECT_TESTS_FROM most are those of that build, run with the sanitized
-# libraries of this one. Their own code goes unchecked, with what the compiler takes from headers into it, and where
-# libraries reach beyond their local and static objects; what lies on the heap does not.
+# Which tests run with sanitizers, and how: with PRIMITECT_TESTS_FROM they are those of that build, run with the sanitized
+# libraries of this one. Their own code and main() of the programs go unchecked, with what the compiler takes from headers
+# into them, and where libraries reach beyond their local and static objects; what lies on the heap does not.
 
 # Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
-# parts have tests of their own, and detect_program starts the program, too. Where malloc is not ours nobody can count.
+# parts have tests of their own, and detect_program starts the program, too. With their malloc
+# allocations has nothing to count.
 set(PRIMITECT_NOT_SANITIZED paper_dataset small_scene touching_nees mechanical_part tabletop lying_tubes close_heights
   seen_lengths detect_sensor detect_runs tracked_tables unseen_ends tapered_cups cone_tip heap allocations)
 
@@ -19,9 +20,6 @@ if(PRIMITECT_TESTS_FROM)
     list(APPEND runtimes ${runtime})
   endforeach()
   list(JOIN runtimes ":" runtimes)
-  if(NOT PRIMITECT_SANITIZE OR PRIMITECT_ROS OR NOT IS_DIRECTORY "${PRIMITECT_TESTS_FROM}")
-    message(FATAL_ERROR "PRIMITECT_TESTS_FROM, ${PRIMITECT_TESTS_FROM}, must be the folder of another build; it needs PRIMITECT_SANITIZE, without PRIMITECT_ROS")
-  endif()
   set(sanitized_libraries "LD_PRELOAD=${runtimes};LD_LIBRARY_PATH=${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 endif()
 
@@ -37,7 +35,8 @@ function(primitect_sanitized_test done name program)
   foreach(library ${ARGN})
     if(TARGET ${library})
       get_target_property(type ${library} TYPE)
-      if(type STREQUAL "STATIC_LIBRARY")
+      get_target_property(foreign ${library} IMPORTED)
+      if(type STREQUAL "STATIC_LIBRARY" AND NOT foreign)
         message(FATAL_ERROR "test_${program} has a copy of ${library}, a static library, which would go unchecked")
       endif()
     endif()

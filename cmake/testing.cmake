@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # primitect_tests(PROGRAM TESTS name... LIBRARIES name...): gtests from files name.cpp in the current folder, one program,
 # test_PROGRAM; to ctest each file is a test. primitect_test(NAME LIBRARIES...): a program of one file.
-# Target `tests` builds all of them; ctest runs them. With sanitizers some are left out or made of another build, then
-# there may be no target test_PROGRAM: see sanitized_tests.cmake.
+# Target `tests` builds all of them; ctest runs them. With sanitizers some are left out, all may be those of another build,
+# then there is no target test_PROGRAM: see sanitized_tests.cmake.
 
 if(NOT TARGET tests)
   add_custom_target(tests)

@@ -14,7 +14,7 @@ import unittest
 
 EVAL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 PROGRAMS = sys.argv.pop()
-PARTS = ("tabletop", "pictures")  # those that take seconds
+PARTS = ("tabletop", "pictures")  # the least that makes tables, plots and pictures
 
 
 class QuickRun(unittest.TestCase):

@@ -21,7 +21,7 @@
 namespace primitect::frame_memory_test {
 namespace {
 
-/// Not with an address sanitizer, be it this program's or only the library's.
+/// Whether lists take a detector's memory: not with an address sanitizer, of this program or only of the library.
 bool keeps() { return dlsym(RTLD_DEFAULT, "__asan_init") == nullptr; }
 
 /// Nothing may rest on the memory of a detector that is gone: a static List would. The first test of this program, so

@@ -114,7 +114,9 @@ class EachKernel : public ::testing::TestWithParam<const Kernels*> {
  protected:
   const Kernels& kernel() const { return *GetParam(); }
 
-  /// The scalar one is what the others are compared with: of it that it votes at all.
+  /// The scalar one is what the others are compared with. By its name: of what lies in a library a program may have a copy.
+  bool isOther() const { return std::string(kernel().name) != kernels::kScalar.name; }
+
   void expectSameVotes(const Samples& samples, const Params& params, double different_votes, const std::string& what,
                        std::size_t references = 20) {
     const std::size_t step = samples.size() / references + 1;
@@ -122,7 +124,7 @@ class EachKernel : public ::testing::TestWithParam<const Kernels*> {
     for (std::size_t reference = 0; reference < samples.size(); reference += step) {
       if (!samples.hasNormal(reference)) continue;
       const Votes expected = votesOf(kernels::kScalar, samples, reference, params);
-      if (&kernel() != &kernels::kScalar) {
+      if (isOther()) {
         expectSame(expected, votesOf(kernel(), samples, reference, params), different_votes, what);
       }
       mass += expected.mass();
@@ -145,6 +147,7 @@ TEST_P(EachKernel, CastsTheSameVotesForAnyNumberOfSamples) {
   for (const std::size_t count : {1, 2, 7, 8, 9, 15, 16, 17, 31, 33, 127, 128, 129, 300}) {
     Random random(42 + count);
     expectSameVotes(clutter(count, random), everything(), 0.0, std::to_string(count));
+    EXPECT_EQ(voted_, count > 1);
   }
 }
 
@@ -171,7 +174,7 @@ TEST_P(EachKernel, FollowsEverySwitch) {
       params.detect_spheres = switches & 2;
       params.detect_cylinders = switches & 4;
       params.detect_cones = switches & 8;
-      expectSameVotes(samples, params, 0.0, std::to_string(switches) + side, 5);
+      expectSameVotes(samples, params, 0.0, std::to_string(switches) + side, 10);  // of each kind one from either side
       EXPECT_EQ(voted_, switches != 0);
     }
   }
@@ -198,7 +201,7 @@ TEST_P(EachKernel, TakesCoarseAndFineBins) {
     params.radius_bins = radius_bins;
     const std::string what = std::to_string(angle) + " deg, bins " + std::to_string(radius_bins);
     const Votes expected = votesOf(kernels::kScalar, samples, 0, params);
-    expectSame(expected, votesOf(kernel(), samples, 0, params), 0.0, what);
+    if (isOther()) expectSame(expected, votesOf(kernel(), samples, 0, params), 0.0, what);
     EXPECT_GT(expected.mass(), 1.0) << what;
   }
 }

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import traceback
 import unittest
 
 import rosbag
@@ -18,33 +19,45 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
-def called(*arguments):
+def roslaunched(*arguments):
     """What the command roslaunch does with them, in a copy of this process, which has loaded it already."""
     with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+        sys.stdout.flush()
+        sys.stderr.flush()
         copy = os.fork()
         if copy == 0:
-            ended = 1
-            try:
-                os.dup2(output.fileno(), sys.stdout.fileno())
-                os.dup2(errors.fileno(), sys.stderr.fileno())
-                sys.argv[:] = ["roslaunch", *arguments]  # this list, as the package reads it in other places, too
-                roslaunch.main()
-                ended = 0
-            except SystemExit as end:
-                ended = end.code
-            finally:
-                sys.stdout.flush()
-                sys.stderr.flush()
-                os._exit(ended)
+            in_copy(arguments, output, errors)
         _, status = os.waitpid(copy, 0)
         for file in output, errors:
             file.seek(0)
-        return subprocess.CompletedProcess(arguments, status, output.read(), errors.read())
+        ended = os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
+        return subprocess.CompletedProcess(arguments, ended, output.read(), errors.read())
+
+
+def in_copy(arguments, output, errors):
+    """Runs it and ends the process, whatever happens."""
+    ended = 1
+    try:
+        os.dup2(output.fileno(), 1)
+        os.dup2(errors.fileno(), 2)
+        sys.stdout, sys.stderr = output, errors
+        try:
+            sys.argv[:] = ["roslaunch", *arguments]  # this list, as the package reads it in other places, too
+            roslaunch.main()
+            ended = 0
+        except SystemExit as end:
+            ended = end.code if isinstance(end.code, int) else int(end.code is not None)
+        except BaseException:
+            traceback.print_exc()
+        output.flush()
+        errors.flush()
+    finally:
+        os._exit(ended)
 
 
 def done(file, *arguments, node="/detector_rviz"):
     """Its words, and what it would start RViz, or another node, with; raises where it refuses."""
-    run = called("--args", node, os.path.join(ROOT, "launch", file), "rviz:=true", *arguments)
+    run = roslaunched("--args", node, os.path.join(ROOT, "launch", file), "rviz:=true", *arguments)
     if run.returncode != 0:
         raise ValueError(run.stderr)
     return run
@@ -66,8 +79,9 @@ def checked(*arguments):
 
 def parameters(file, *arguments):
     """What it would set."""
-    run = called("--dump-params", os.path.join(ROOT, "launch", file), *arguments)
-    run.check_returncode()
+    run = roslaunched("--dump-params", os.path.join(ROOT, "launch", file), *arguments)
+    if run.returncode != 0 or not run.stdout:  # where it refuses a file, it ends with 0
+        raise ValueError(run.stderr)
     return yaml.safe_load(run.stdout)
 
 
