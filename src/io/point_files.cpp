@@ -134,7 +134,8 @@ PointFile readPointFile(const std::string& path, const DepthImageOptions& option
     const std::uint64_t points = checkPlyHead(path, head);
     if (points > 0) file.cloud = convert(path, readWithPcl<pcl::PLYReader>(path, "PLY", points));
   } else {
-    throw FileError(path, "unknown extension '" + extension + "', expected .pcd, .ply or .png");
+    throw FileError(path, "unknown extension '" + extension + "', expected .pcd, .ply or .png" +
+                              (extension == ".bag" ? "; detect_bag takes bags" : ""));
   }
   return file;
 }

@@ -138,8 +138,11 @@ void addCone(const MarkerMaker& maker, const Primitive& primitive, double alpha,
     const Vec3 wide_here = wide + primitive.radius * here, wide_next = wide + primitive.radius * next;
     const Vec3 narrow_here = narrow + primitive.radius_small * here;
     addTriangle(surface, narrow_here, wide_next, wide_here);
+    addTriangle(surface, wide, wide_here, wide_next);  // closed, as RViz's cylinders are: the inside has no light
     if (primitive.radius_small > 0.0f) {
-      addTriangle(surface, narrow_here, narrow + primitive.radius_small * next, wide_next);
+      const Vec3 narrow_next = narrow + primitive.radius_small * next;
+      addTriangle(surface, narrow_here, narrow_next, wide_next);
+      addTriangle(surface, narrow, narrow_next, narrow_here);
     }
   }
   // From the apex, unless it is far from what was seen.

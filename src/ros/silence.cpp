@@ -88,7 +88,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string whyNoneSent(const std::string& topic) {
-  const std::string unknown = "; one that makes it of a depth image needs camera_info, too";
+  const std::string unknown = "; one that makes it of a depth image needs an image, not a cloud, and camera_info";
   XmlRpc::XmlRpcValue state;
   if (!askMaster("getSystemState", {}, state)) return unknown;
   const NodesOf publishers = nodesOf(state[0]), subscribers = nodesOf(state[1]);

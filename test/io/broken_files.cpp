@@ -63,6 +63,7 @@ TEST_F(BrokenFiles, AreRefusedWhenTheyAreNoFilesAtAll) {
   for (const char* name : {"empty.pcd", "empty.ply", "empty.png"}) expectCause(name, "", "is empty");
   expectCause("points.xyz", kText, "unknown extension '.xyz'");
   expectCause("points", kText, "unknown extension ''");
+  expectCause("points.bag", kText, "detect_bag takes bags");
 }
 
 TEST_F(BrokenFiles, AreRefusedWhenThePcdIsTruncated) {

@@ -153,18 +153,27 @@ TEST(Markers, FillThePlanesOutline) {
   EXPECT_TRUE(toVec3(outline.points.front()).isApprox(toVec3(outline.points.back())));
 }
 
-TEST(Markers, DrawTheConeAsAFrustumOnItsSurface) {
+TEST(Markers, DrawTheConeAsAClosedFrustum) {
   MarkerWriter writer;
   const Detection detection = frustum();
   const auto array = writer.update(messageOf({detection}), MarkerStyle());
   const Marker surface = markerOf(array, "cone");
   ASSERT_EQ(surface.type, Marker::TRIANGLE_LIST);
   ASSERT_EQ(surface.points.size() % 3, 0u);
+  double wide = 0.0, narrow = 0.0;  // m^2, of the two ends
   for (std::size_t i = 0; i < surface.points.size(); i += 3) {
     const Vec3 a = toVec3(surface.points[i]), b = toVec3(surface.points[i + 1]), c = toVec3(surface.points[i + 2]);
-    for (const Vec3& p : {a, b, c}) EXPECT_NEAR(distance(detection.shape, p), 0.0, 1e-6);
-    EXPECT_GT((b - a).cross(c - a).dot(normalAt(detection.shape, (a + b + c) / 3.0)), 0.0);  // seen from outside
+    const Vec3 area = 0.5 * (b - a).cross(c - a), middle = (a + b + c) / 3.0;
+    if (std::abs(area.normalized().z()) > 0.999) {  // seen from outside
+      (middle.z() > 1.0 ? wide : narrow) += middle.z() > 1.0 ? area.z() : -area.z();
+      for (const Vec3& p : {a, b, c}) EXPECT_NEAR(std::abs(p.z() - 1.0), 0.05, 1e-6);
+    } else {
+      for (const Vec3& p : {a, b, c}) EXPECT_NEAR(distance(detection.shape, p), 0.0, 1e-6);
+      EXPECT_GT(area.dot(normalAt(detection.shape, middle)), 0.0);
+    }
   }
+  EXPECT_NEAR(wide, M_PI * 0.06 * 0.06, 1e-4);  // of a polygon in the circle
+  EXPECT_NEAR(narrow, M_PI * 0.02 * 0.02, 1e-5);
 }
 
 TEST(Markers, DeleteWhatVanished) {

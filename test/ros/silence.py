@@ -45,7 +45,8 @@ class Silence(unittest.TestCase):
 
     def test_a_publisher_that_never_publishes(self):
         self.assertEqual(self.why("/on_quiet", "/quiet"),
-                         "of its 1 publisher none sent any; one that makes it of a depth image needs camera_info, too")
+                         "of its 1 publisher none sent any; one that makes it of a depth image needs an image, not a cloud, "
+                         "and camera_info")
 
     def test_diagnostics_say_that_the_first_cloud_is_waited_for(self):
         def told():
