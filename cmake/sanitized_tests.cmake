@@ -5,8 +5,8 @@
 # into them, and where libraries reach beyond their local and static objects; what lies on the heap does not.
 
 # Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
-# parts have tests of their own, and detect_program starts the program, too. With their malloc
-# allocations has nothing to count.
+# parts have tests of their own, and detect_program starts the program, too.
+# With their malloc allocations has nothing to count.
 set(PRIMITECT_NOT_SANITIZED paper_dataset small_scene touching_nees mechanical_part tabletop lying_tubes close_heights
   seen_lengths detect_sensor detect_runs tracked_tables unseen_ends tapered_cups cone_tip heap allocations)
 

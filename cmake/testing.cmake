@@ -28,7 +28,7 @@ target_precompile_headers(primitect_test_support PRIVATE
 set_target_properties(primitect_test_support PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 target_compile_options(primitect_test_support PRIVATE -fPIE)
 # Tests are compiled more often than they run; what they test keeps its optimization.
-target_compile_options(primitect_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
+target_compile_options(primitect_test_support PUBLIC ${PRIMITECT_COMPILE_QUICKLY})
 if(PRIMITECT_SANITIZE)
   # Of tests that are compiled here address errors are still found, undefined behaviour in the code under test only.
   target_compile_options(primitect_test_support PUBLIC -fno-sanitize=undefined)

@@ -164,8 +164,13 @@ TEST(Markers, DrawTheConeAsAClosedFrustum) {
   for (std::size_t i = 0; i < surface.points.size(); i += 3) {
     const Vec3 a = toVec3(surface.points[i]), b = toVec3(surface.points[i + 1]), c = toVec3(surface.points[i + 2]);
     const Vec3 area = 0.5 * (b - a).cross(c - a), middle = (a + b + c) / 3.0;
-    if (std::abs(area.normalized().z()) > 0.999) {  // seen from outside
-      (middle.z() > 1.0 ? wide : narrow) += middle.z() > 1.0 ? area.z() : -area.z();
+    if (std::abs(area.normalized().z()) > 0.999) {
+      // Both ends are seen from outside.
+      if (middle.z() > 1.0) {
+        wide += area.z();
+      } else {
+        narrow -= area.z();
+      }
       for (const Vec3& p : {a, b, c}) EXPECT_NEAR(std::abs(p.z() - 1.0), 0.05, 1e-6);
     } else {
       for (const Vec3& p : {a, b, c}) EXPECT_NEAR(distance(detection.shape, p), 0.0, 1e-6);
