@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What `make install` puts where, by catkin's conventions.
 
-foreach(library primitect primitect_io primitect_synthetic primitect_tools primitect_ros primitect_bags)
+foreach(library primitect primitect_png primitect_io primitect_synthetic primitect_tools primitect_ros primitect_bags)
   install(TARGETS ${library}
     ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
     LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

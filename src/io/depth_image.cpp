@@ -1,48 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth PNGs through OpenCV.
+// Depth PNGs to clouds.
 #include "io/depth_image.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cmath>
-#include <cstdio>
-#include <opencv2/imgcodecs.hpp>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "io/png_image.h"
 
 namespace primitect::io {
 namespace {
 
-/// libpng prints errors to stderr whatever its caller wants; they are thrown here instead. For the whole process,
-/// briefly.
-class QuietStderr {
- public:
-  QuietStderr() {
-    std::fflush(stderr);
-    saved_ = dup(STDERR_FILENO);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    if (saved_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
-    if (nowhere >= 0) close(nowhere);
-  }
-  ~QuietStderr() {
-    std::fflush(stderr);
-    if (saved_ < 0) return;
-    dup2(saved_, STDERR_FILENO);
-    close(saved_);
-  }
-  QuietStderr(const QuietStderr&) = delete;
-  QuietStderr& operator=(const QuietStderr&) = delete;
-
- private:
-  int saved_ = -1;
-};
-
-cv::Mat readImage(const std::string& path) {
-  const QuietStderr quiet;
+DepthPixels readPixels(const std::string& path, const FileHead& head) {
+  std::vector<char> bytes(head.file_size);
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream) throw FileError(path, "cannot be read to its end");
   try {
-    return cv::imread(path, cv::IMREAD_UNCHANGED);
-  } catch (const std::exception&) {
-    return {};  // reported like any other image that cannot be decoded
+    constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();  // the head was checked against the file's size
+    return decodeDepthPng(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), kMost);
+  } catch (const PngError& error) {
+    throw FileError(path, error.what());
   }
 }
 
@@ -54,9 +34,7 @@ Cloud readDepthImage(const std::string& path, const FileHead& head, const DepthI
     throw std::invalid_argument("depth_scale: must be above 0 m per unit");
   }
   checkDepthPngHead(path, head);
-  const cv::Mat image = readImage(path);
-  if (image.empty()) throw FileError(path, "broken or truncated PNG data");
-  if (image.type() != CV_16UC1) throw FileError(path, "is not 16-bit with one channel");
+  const DepthPixels image = readPixels(path, head);
 
   const Intrinsics& lens = *options.intrinsics;
   const float scale = static_cast<float>(options.depth_scale);
@@ -64,15 +42,14 @@ Cloud readDepthImage(const std::string& path, const FileHead& head, const DepthI
   const float scale_y = static_cast<float>(options.depth_scale / lens.fy);
   const float center_x = static_cast<float>(lens.cx), center_y = static_cast<float>(lens.cy);
   Cloud cloud;
-  cloud.reset(static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows), false);
+  cloud.reset(image.width, image.height, false);
   std::size_t i = 0;
-  for (int v = 0; v < image.rows; ++v) {
-    const std::uint16_t* row = image.ptr<std::uint16_t>(v);
-    for (int u = 0; u < image.cols; ++u, ++i) {
-      const float depth = row[u];
+  for (std::uint32_t v = 0; v < image.height; ++v) {
+    for (std::uint32_t u = 0; u < image.width; ++u, ++i) {
+      const float depth = image.values[i];
       // 0 is missing and never becomes a point: z = 0 comes with x = y = 0.
-      cloud.setPoint(i, (u - center_x) * depth * scale_x, (v - center_y) * depth * scale_y, depth * scale,
-                     DepthRange{});
+      cloud.setPoint(i, (static_cast<float>(u) - center_x) * depth * scale_x,
+                     (static_cast<float>(v) - center_y) * depth * scale_y, depth * scale, DepthRange{});
     }
   }
   return cloud;

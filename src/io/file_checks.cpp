@@ -26,7 +26,7 @@ std::string pngFormat(int bit_depth, int color_type) {
   return std::to_string(bit_depth) + "-bit " + (known ? kColors[color_type] : "?");
 }
 
-/// OpenCV would make room for whatever length a chunk claims.
+/// Tells where the file ends too early; libpng would not.
 void checkPngChunks(const std::string& path, std::uint64_t file_size) {
   std::ifstream stream(path, std::ios::binary);
   std::string name;

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "io/length_text.h"
 #include "io/outlines.h"
 #include "io/percent_text.h"
+#include "io/png_image.h"
 #include "io/shape_text.h"
 
 namespace primitect::io {
@@ -150,13 +150,12 @@ cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics
 }
 
 void writePicture(const std::string& path, const cv::Mat& picture) {
-  bool written = false;
   try {
-    written = cv::imwrite(path, picture);
-  } catch (const cv::Exception&) {
-    written = false;  // an extension that OpenCV does not know
+    writePicturePng(path, picture.data, static_cast<std::uint32_t>(picture.cols),
+                    static_cast<std::uint32_t>(picture.rows), picture.step);
+  } catch (const PngError& error) {
+    throw std::runtime_error(path + ": cannot be written as a picture (" + error.what() + ")");
   }
-  if (!written) throw std::runtime_error(path + ": cannot be written as a picture");
 }
 
 }  // namespace primitect::io

@@ -44,7 +44,8 @@ std::vector<std::string> pathsInside(const std::string& option, const fs::path& 
 /// A name that promises another format would be read as that.
 void refuseOtherFormats(const std::string& option, const std::string& output, const std::string& extension) {
   const std::string own = fs::path(output).extension().string();
-  for (const char* other : {".json", ".ply", ".png", ".pcd", ".jpg", ".jpeg", ".yaml"}) {
+  for (const char* other :
+       {".json", ".ply", ".png", ".pcd", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".yaml"}) {
     if (own == other && own != extension) {
       throw std::invalid_argument(option + ": " + output + " would not be a " + own.substr(1) +
                                   " file; what is written is " + extension.substr(1));

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // A zoo of broken files: each is refused in one line that names file and cause; nothing crashes.
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/random.h"
 #include "io/point_files.h"
 #include "temporary_folder.h"
+#include "test/support/png_files.h"
 
 namespace primitect::io::broken_files_test {
 namespace {
@@ -178,9 +178,9 @@ TEST_F(BrokenFiles, AreRefusedWhenThePlyHeaderIsWrong) {
 }
 
 TEST_F(BrokenFiles, AreRefusedWhenThePngIsNoDepthImage) {
-  cv::imwrite(path("color.png"), cv::Mat(30, 40, CV_8UC3, cv::Scalar(1, 2, 3)));
-  cv::imwrite(path("gray.png"), cv::Mat(30, 40, CV_8UC1, cv::Scalar(1)));
-  cv::imwrite(path("wide.png"), cv::Mat(30, 40, CV_16UC3, cv::Scalar(1, 2, 3)));
+  test::writePng(path("color.png"), cv::Mat(30, 40, CV_8UC3, cv::Scalar(1, 2, 3)));
+  test::writePng(path("gray.png"), cv::Mat(30, 40, CV_8UC1, cv::Scalar(1)));
+  test::writePng(path("wide.png"), cv::Mat(30, 40, CV_16UC3, cv::Scalar(1, 2, 3)));
   EXPECT_EQ(causeOf(path("color.png")), "PNG of 8-bit RGB, expected 16-bit gray (depth)");
   EXPECT_EQ(causeOf(path("gray.png")), "PNG of 8-bit gray, expected 16-bit gray (depth)");
   EXPECT_EQ(causeOf(path("wide.png")), "PNG of 16-bit RGB, expected 16-bit gray (depth)");
@@ -192,7 +192,7 @@ TEST_F(BrokenFiles, AreRefusedWhenThePngIsBroken) {
   Random random(1);
   for (int i = 0; i < 30 * 40; ++i)
     image.at<std::uint16_t>(i / 40, i % 40) = static_cast<std::uint16_t>(random.below(9000));
-  cv::imwrite(path("good.png"), image);
+  test::writePng(path("good.png"), image);
   const std::string good = read(path("good.png"));
   expectCause("cut.png", good.substr(0, good.size() / 2), "truncated PNG: a chunk claims more");
   expectCause("end.png", good.substr(0, good.size() - 12), "truncated PNG: no IEND");

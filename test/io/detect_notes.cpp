@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program `detect` asks where a file cannot be what it is taken for, and tells of its noise.
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/random.h"
 #include "detect_fixture.h"
+#include "test/support/png_files.h"
 
 namespace detect_notes_test {
 namespace {
@@ -79,7 +79,7 @@ TEST_F(DetectNotes, SayHowMuchLiesBeyondTheDepthsThatCount) {
 }
 
 TEST_F(DetectNotes, AskWhereTheOrderOfIntrinsicsCannotBeRight) {
-  cv::imwrite(path("image.png"), ballImage());
+  primitect::test::writePng(path("image.png"), ballImage());
   EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5"), 0);
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
   EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,159.5,262.5,119.5"), 0);  // as in a camera's matrix
@@ -114,10 +114,10 @@ cv::Mat noisyImage(double deviations) {
 
 TEST_F(DetectNotes, TellHowNoisyTheCameraIs) {
   const std::string note = "note: points stray ", options = " --intrinsics 262.5,262.5,159.5,119.5";
-  cv::imwrite(path("usual.png"), noisyImage(1.0));
+  primitect::test::writePng(path("usual.png"), noisyImage(1.0));
   EXPECT_EQ(run(path("usual.png") + options), 0);
   EXPECT_EQ(out.find(note), std::string::npos) << out;
-  cv::imwrite(path("noisy.png"), noisyImage(3.0));
+  primitect::test::writePng(path("noisy.png"), noisyImage(3.0));
   EXPECT_EQ(run(path("noisy.png") + options), 0);
   ASSERT_NE(out.find(note), std::string::npos) << out;
   EXPECT_NEAR(std::stod(out.substr(out.find(note) + note.size())), 3.0, 0.5) << out;

@@ -3,9 +3,9 @@
 // The program `detect` as a user runs it: results, messages, exit codes.
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 #include "detect_fixture.h"
+#include "test/support/png_files.h"
 
 namespace detect_program_test {
 namespace {
@@ -191,7 +191,9 @@ TEST_F(DetectProgram, RefusesTwoOutputsInOneFile) {
 
 TEST_F(DetectProgram, RefusesOutputsThatAreNamedAsOtherFormats) {
   expectUsageError(ball + " --labels " + path("labels.pcd"), {"--labels", "labels.pcd", "ply"});
-  expectUsageError(ball + " --picture " + path("picture.jpg"), {"--picture", "picture.jpg", "png"});
+  for (const char* name : {"picture.jpg", "picture.bmp", "picture.webp"}) {
+    expectUsageError(ball + " --picture " + path(name), {"--picture", name, "png"});
+  }
   expectUsageError(ball + " --json " + path("result.yaml"), {"--json", "result.yaml", "json"});
   EXPECT_EQ(run(ball + " --json " + path("result.txt")), 0) << err;
 }
@@ -210,7 +212,7 @@ TEST_F(DetectProgram, FillsADirectoryForSeveralFiles) {
   for (const char* stem : {"ball", "second"}) {
     EXPECT_TRUE(hasSphere(Json::parse(read(to + stem + ".json")), 0.1));
     EXPECT_NE(read(to + stem + ".ply").find("property uint label"), std::string::npos);
-    EXPECT_FALSE(cv::imread(to + stem + ".png").empty());
+    EXPECT_FALSE(primitect::test::readPicture(to + stem + ".png").empty());
   }
 }
 
@@ -222,7 +224,7 @@ TEST_F(DetectProgram, FillsADirectoryAlsoForFilesThatCannotBeRead) {
 }
 
 TEST_F(DetectProgram, CutsDepthImagesButNotUnorganizedFiles) {
-  cv::imwrite(path("image.png"), ballImage());
+  primitect::test::writePng(path("image.png"), ballImage());
   const std::string lens = " --intrinsics 262.5,262.5,159.5,119.5";
   const Json cut = runJson(path("image.png") + lens);
   EXPECT_EQ(cut["points_in"], 320 * 240);
@@ -235,7 +237,7 @@ TEST_F(DetectProgram, CutsDepthImagesButNotUnorganizedFiles) {
 }
 
 TEST_F(DetectProgram, ScalesDepthImages) {
-  cv::imwrite(path("image.png"), ballImage());
+  primitect::test::writePng(path("image.png"), ballImage());
   const Json json = runJson(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5 --depth-scale 0.0005");
   EXPECT_EQ(run(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5 --depth-scale 0.1"), 0);
   EXPECT_NE(out.find("cut away by the depth range"), std::string::npos) << out;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The program `detect` run again and again: the same results, and times that add up.
-#include <opencv2/imgcodecs.hpp>
 
 #include "detect_fixture.h"
+#include "test/support/png_files.h"
 #include "tools/stage_timing.h"
 
 namespace detect_runs_test {
@@ -137,7 +137,7 @@ TEST_F(DetectRuns, TakeAllFilesOfACallForFramesInARow) {
 }
 
 TEST_F(DetectRuns, GiveTheSameResultForAFileAmongOthers) {
-  cv::imwrite(path("image.png"), ballImage());
+  primitect::test::writePng(path("image.png"), ballImage());
   const std::string lens = " --intrinsics 262.5,262.5,159.5,119.5";
   const std::string image = path("image.png"), second = write("second.ply", ballPly(1.5));
   const Json all = runOrdered(second + " " + ball + " " + image + " " + ball + lens);

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The program `detect` with points in another frame than the camera's.
-#include <opencv2/imgcodecs.hpp>
 
 #include "detect_fixture.h"
 #include "io/point_files.h"
 #include "io/sensor_pose.h"
 #include "io/shape_json.h"
 #include "primitect/transforms.h"
+#include "test/support/png_files.h"
 
 namespace detect_sensor_test {
 namespace {
@@ -207,7 +207,7 @@ TEST_F(DetectSensor, WritesLabelsOfThePointsAsTheyAreInTheFile) {
 TEST_F(DetectSensor, DrawsWhatTheCameraSaw) {
   EXPECT_EQ(run(in_camera + " --picture " + path("camera.png")), 0) << err;
   EXPECT_EQ(run(in_robot + sensor + " --picture " + path("robot.png")), 0) << err;
-  const cv::Mat expected = cv::imread(path("camera.png")), picture = cv::imread(path("robot.png"));
+  const cv::Mat expected = primitect::test::readPicture(path("camera.png")), picture = primitect::test::readPicture(path("robot.png"));
   ASSERT_EQ(picture.size(), expected.size());
   // Rounding of moved points may shift an edge.
   EXPECT_LT(cv::norm(picture, expected, cv::NORM_L1) / static_cast<double>(picture.total()), 1.0);
@@ -233,7 +233,7 @@ TEST_F(DetectSensor, RefusesWhatIsNoPose) {
     expectUsageError(in_robot + " --sensor '" + text + "'", {"sensor", "X Y Z QX QY QZ QW"});
   }
   expectUsageError(in_robot + " --sensor 0 0 1.3 0 0 0 1", {"sensor", "'0'", "X Y Z QX QY QZ QW"});
-  cv::imwrite(path("image.png"), ballImage());
+  primitect::test::writePng(path("image.png"), ballImage());
   expectUsageError(path("image.png") + " --intrinsics 262.5,262.5,159.5,119.5 " + sensor, {"--sensor", "depth image"});
 }
 

@@ -8,9 +8,9 @@
 #include <pcl/point_types.h>
 
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 #include "temporary_folder.h"
+#include "test/support/png_files.h"
 
 namespace primitect::io::point_files_test {
 namespace {
@@ -154,7 +154,7 @@ TEST_F(PointFiles, ReadFilesWithoutPointsAsEmptyClouds) {
 TEST_F(PointFiles, ProjectDepthImagesThroughTheirIntrinsics) {
   cv::Mat image(3, 4, CV_16UC1, cv::Scalar(0));
   image.at<std::uint16_t>(2, 3) = 1500;
-  cv::imwrite(path("depth.png"), image);
+  test::writePng(path("depth.png"), image);
   DepthImageOptions options;
   options.intrinsics = Intrinsics{500.0, 400.0, 1.0, 0.5};
   const PointFile file = readPointFile(path("depth.png"), options);

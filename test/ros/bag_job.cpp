@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +28,7 @@
 #include "synthetic/poses.h"
 #include "synthetic/tabletop.h"
 #include "test/io/temporary_folder.h"
+#include "test/support/png_files.h"
 
 namespace primitect::bag_job_test {
 namespace {
@@ -165,8 +165,7 @@ sensor_msgs::CompressedImage packed(const sensor_msgs::Image& depth) {
   packed.format = "16UC1; compressedDepth png";
   const cv::Mat stored(static_cast<int>(depth.height), static_cast<int>(depth.width), CV_16UC1,
                        const_cast<std::uint8_t*>(depth.data.data()), depth.step);
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", stored, png);
+  const std::vector<std::uint8_t> png = test::encodedPng(stored);
   packed.data.assign(12, 0);
   packed.data.insert(packed.data.end(), png.begin(), png.end());
   return packed;

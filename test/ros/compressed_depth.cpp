@@ -5,14 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "test/support/png_files.h"
 
 namespace primitect::ros_layer::compressed_depth_test {
 namespace {
@@ -27,8 +29,7 @@ sensor_msgs::CompressedImage packed(const cv::Mat& stored, const std::string& fo
   const std::array<float, 3> parameters = {0.0f, a, b};
   packed.data.resize(sizeof(parameters));
   std::memcpy(packed.data.data(), parameters.data(), sizeof(parameters));
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", stored, png);
+  const std::vector<std::uint8_t> png = test::encodedPng(stored);
   packed.data.insert(packed.data.end(), png.begin(), png.end());
   return packed;
 }
@@ -116,15 +117,15 @@ TEST(CompressedDepth, ThatIsBrokenIsTold) {
   }
   broken = whole;
   broken.data.resize(whole.data.size() - 20);
-  EXPECT_NE(refusalOf(broken).find("PNG is broken"), std::string::npos);
+  EXPECT_NE(refusalOf(broken).find("broken or truncated PNG"), std::string::npos);
   broken = whole;
   broken.data[12] = 0;
   EXPECT_NE(refusalOf(broken).find("no PNG"), std::string::npos);
   broken = whole;
-  broken.data[12 + 18] = 0xff;  // 65283 columns, 16711682 rows
-  broken.data[12 + 21] = 0xff;
+  const std::vector<std::uint8_t> huge = test::claiming(test::encodedPng(kStored), 65536, 257);
+  std::copy(huge.begin(), huge.end(), broken.data.begin() + 12);
   EXPECT_NE(refusalOf(broken).find("at most 16777216"), std::string::npos) << refusalOf(broken);
-  EXPECT_NE(refusalOf(packed(cv::Mat(2, 3, CV_8UC1, cv::Scalar(1)), format)).find("not one of 16 bit"),
+  EXPECT_NE(refusalOf(packed(cv::Mat(2, 3, CV_8UC1, cv::Scalar(1)), format)).find("not one of 16 bits"),
             std::string::npos);
 }
 

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// libpng, which leaves its functions by longjmp where something is wrong; see png_image.h.
+#include "io/png_image.h"
+
+#include <png.h>
+
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+
+namespace primitect::io {
+namespace {
+
+constexpr std::size_t kSignature = 8, kHead = kSignature + 8 + 13 + 4;  // bytes; the first chunk is the header
+
+[[noreturn]] void giveUp(png_structp png, png_const_charp /*cause*/) { png_longjmp(png, 1); }
+
+void ignore(png_structp /*png*/, png_const_charp /*warning*/) {}
+
+/// Functions that return false gave up. Between setjmp and longjmp nothing may have a destructor.
+class Reader {
+ public:
+  Reader(const std::uint8_t* bytes, std::size_t size)
+      : next_(bytes), left_(size), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, giveUp, ignore)) {
+    if (png_) info_ = png_create_info_struct(png_);
+    if (info_) png_set_read_fn(png_, this, take);
+  }
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  bool readHead() {
+    if (!info_ || setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_info(png_, info_);
+    return true;
+  }
+  bool hasDepths() const {
+    return png_get_bit_depth(png_, info_) == 16 && png_get_color_type(png_, info_) == PNG_COLOR_TYPE_GRAY;
+  }
+  std::uint32_t width() const { return png_get_image_width(png_, info_); }
+  std::uint32_t height() const { return png_get_image_height(png_, info_); }
+
+  /// To width() * height() values.
+  bool readRows(std::uint16_t* values) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    if (isLittleEndian()) png_set_swap(png_);
+    const int passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    for (int pass = 0; pass < passes; ++pass) {
+      for (std::size_t row = 0; row < height(); ++row) {
+        png_read_row(png_, reinterpret_cast<png_bytep>(values + row * width()), nullptr);
+      }
+    }
+    png_read_end(png_, nullptr);
+    return true;
+  }
+
+ private:
+  static bool isLittleEndian() {
+    const std::uint16_t one = 1;
+    std::uint8_t first = 0;
+    std::memcpy(&first, &one, 1);
+    return first == 1;
+  }
+  static void take(png_structp png, png_bytep to, std::size_t count) {
+    auto& reader = *static_cast<Reader*>(png_get_io_ptr(png));
+    if (count > reader.left_) giveUp(png, "");
+    std::memcpy(to, reader.next_, count);
+    reader.next_ += count, reader.left_ -= count;
+  }
+
+  const std::uint8_t* next_;
+  std::size_t left_;
+  png_structp png_;
+  png_infop info_ = nullptr;
+};
+
+}  // namespace
+
+DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uint64_t most_pixels) {
+  if (size < kHead || png_sig_cmp(bytes, 0, kSignature) != 0) throw PngError("no PNG");
+  Reader reader(bytes, size);
+  if (!reader.readHead()) throw PngError("broken or truncated PNG data");
+  if (!reader.hasDepths()) throw PngError("the PNG is not one of 16 bits and one channel");
+  DepthPixels image = {reader.width(), reader.height(), {}};
+  const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+  if (pixels > most_pixels) {
+    throw PngError("the PNG has " + std::to_string(pixels) + " pixels, expected are at most " +
+                   std::to_string(most_pixels));
+  }
+  image.values.resize(pixels);
+  if (!reader.readRows(image.values.data())) throw PngError("broken or truncated PNG data");
+  return image;
+}
+
+void writePicturePng(const std::string& path, const std::uint8_t* bgr, std::uint32_t width, std::uint32_t height,
+                     std::size_t stride) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = width, image.height = height, image.format = PNG_FORMAT_BGR;
+  image.flags = PNG_IMAGE_FLAG_FAST;
+  // Not by its name: what cannot be written would be removed, whatever it is.
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (!file) throw PngError(std::strerror(errno));
+  const bool made = png_image_write_to_stdio(&image, file, 0, bgr, static_cast<png_int_32>(stride), nullptr) != 0;
+  const bool closed = std::fclose(file) == 0;
+  if (!made) throw PngError(image.message);
+  if (!closed) throw PngError(std::strerror(errno));
+}
+
+}  // namespace primitect::io
