@@ -77,6 +77,25 @@ class Reader {
   png_infop info_ = nullptr;
 };
 
+struct Layout {
+  std::uint32_t width, height, format;
+};
+
+/// stride: from row to row, in numbers.
+void write(const std::string& path, const Layout& layout, const void* pixels, std::size_t stride) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = layout.width, image.height = layout.height, image.format = layout.format;
+  image.flags = PNG_IMAGE_FLAG_FAST;
+  // Not by its name: what cannot be written would be removed, whatever it is.
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (!file) throw PngError(std::strerror(errno));
+  const bool made = png_image_write_to_stdio(&image, file, 0, pixels, static_cast<png_int_32>(stride), nullptr) != 0;
+  const bool closed = std::fclose(file) == 0;
+  if (!made) throw PngError(image.message);
+  if (!closed) throw PngError(std::strerror(errno));
+}
+
 }  // namespace
 
 DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uint64_t most_pixels) {
@@ -95,19 +114,13 @@ DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uin
   return image;
 }
 
+void writeDepthPng(const std::string& path, const DepthPixels& image) {
+  write(path, {image.width, image.height, PNG_FORMAT_LINEAR_Y}, image.values.data(), image.width);
+}
+
 void writePicturePng(const std::string& path, const std::uint8_t* bgr, std::uint32_t width, std::uint32_t height,
                      std::size_t stride) {
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = width, image.height = height, image.format = PNG_FORMAT_BGR;
-  image.flags = PNG_IMAGE_FLAG_FAST;
-  // Not by its name: what cannot be written would be removed, whatever it is.
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  if (!file) throw PngError(std::strerror(errno));
-  const bool made = png_image_write_to_stdio(&image, file, 0, bgr, static_cast<png_int_32>(stride), nullptr) != 0;
-  const bool closed = std::fclose(file) == 0;
-  if (!made) throw PngError(image.message);
-  if (!closed) throw PngError(std::strerror(errno));
+  write(path, {width, height, PNG_FORMAT_BGR}, bgr, stride);
 }
 
 }  // namespace primitect::io

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth images from PNG, pictures to PNG: a library of its own, as what reads neither point files nor draws needs it,
+// Depth images from PNG and to it, pictures to PNG: a library of its own, as what reads neither point files nor draws needs it,
 // too.
 #pragma once
 
@@ -27,6 +27,9 @@ struct DepthPixels {
 /// Of size bytes. Throws PngError where they are no PNG, one that is broken or truncated, has other pixels than single
 /// numbers of 16 bits, or more than most_pixels of them.
 DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uint64_t most_pixels);
+
+/// Throws PngError where the file cannot be written.
+void writeDepthPng(const std::string& path, const DepthPixels& image);
 
 /// A picture of height rows, stride bytes apart, of width pixels with 8 bits for blue, green and red each. Throws
 /// PngError where the file cannot be written.

@@ -155,9 +155,10 @@ Marker textMarker(const MarkerMaker& maker, const Primitive& primitive, const Ma
   Marker text = maker.make("_text", Marker::TEXT_VIEW_FACING, 1.0);
   const double distance = (toVec3(primitive.pose.pose.position) - style.viewpoint).norm();
   text.scale.z = std::clamp(0.022 * distance, 0.01, 0.25);
-  text.pose.position = pointMessage(textPosition(primitive, style.up, text.scale.z));
   text.color = lightened(text.color);
   text.text = describe(primitive);
+  text.pose.position =
+      pointMessage(textPosition(primitive, {style.up, style.viewpoint, text.scale.z, text.text.size()}));
   return text;
 }
 

@@ -26,6 +26,19 @@ double reach(const Primitive& primitive, const Body& body, const Vec3& direction
   return 0.5 * primitive.size[2] * along + primitive.radius * std::sqrt(std::max(0.0, 1.0 - along * along));
 }
 
+/// From the middle of a plane's text to where it stands, to the side that the plane turns to.
+Vec3 besideNarrow(const Primitive& primitive, const Body& body, const TextView& view) {
+  constexpr double kWidth = 0.5;   // of a letter, in its height
+  constexpr double kTurned = 0.2;  // sine of the angle to the side from which on a plane is turned to it
+  const Vec3 across = (body.origin - view.viewpoint).cross(view.up);
+  if (!(across.norm() > 1e-3)) return Vec3::Zero();
+  const Vec3 right = across.normalized();
+  const double turned = body.axis.dot(right), half = 0.5 * kWidth * view.height * static_cast<double>(view.letters);
+  const bool narrow = std::max(reach(primitive, body, right), reach(primitive, body, -right)) < half;
+  if (!narrow || std::abs(turned) < kTurned) return Vec3::Zero();
+  return std::copysign(half, turned) * right;
+}
+
 /// On one line: texts of things that are side by side would hide each other.
 std::string describeShape(const Primitive& primitive) {
   constexpr double kDegrees = 180.0 / M_PI;
@@ -46,13 +59,13 @@ std::string describe(const Primitive& primitive) {
          (confidence.empty() ? "" : " " + confidence);
 }
 
-Vec3 textPosition(const Primitive& primitive, const Vec3& up, double height) {
+Vec3 textPosition(const Primitive& primitive, const TextView& view) {
   const Body body(primitive);
   if (primitive.type != Primitive::PLANE) {
-    return body.origin + (reach(primitive, body, up) + 1.2 * height) * up;
+    return body.origin + (reach(primitive, body, view.up) + 1.2 * view.height) * view.up;
   }
-  const Vec3 down = -up + up.dot(body.axis) * body.axis;  // within the plane
-  const Vec3 lifted = body.origin + height * body.axis;
+  const Vec3 lifted = body.origin + view.height * body.axis + besideNarrow(primitive, body, view);
+  const Vec3 down = -view.up + view.up.dot(body.axis) * body.axis;  // within the plane
   if (!(down.norm() > 1e-3)) return lifted;
   return lifted + 0.9 * reach(primitive, body, down.normalized()) * down.normalized();
 }

@@ -15,8 +15,17 @@ namespace primitect::ros_layer {
 /// confidence below 90 %: "sphere r 39 mm 73 %".
 std::string describe(const Primitive& primitive);
 
-/// Planes carry their text near the lower edge, where nothing stands on them; bodies on top.
-/// up: unit vector of the header's frame; height: of the letters (m).
-Vec3 textPosition(const Primitive& primitive, const Vec3& up, double height);
+/// Where a text stands: up is a unit vector of the header's frame, viewpoint a place in it; the height is that of a
+/// letter (m), letters is their number.
+struct TextView {
+  Vec3 up, viewpoint;
+  double height;
+  std::size_t letters;
+};
+
+/// Planes carry their text near the lower edge, where nothing stands on them; those that are narrower than their text
+/// and turn to a side, as the faces of a box, towards that side, where it does not hide the text of the next face.
+/// Bodies have it on top.
+Vec3 textPosition(const Primitive& primitive, const TextView& view);
 
 }  // namespace primitect::ros_layer

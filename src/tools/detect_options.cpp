@@ -10,6 +10,7 @@
 
 #include "primitect/kernel_choice.h"
 #include "tools/command_line.h"
+#include "tools/example_frame.h"
 #include "tools/param_options.h"
 
 namespace primitect::tools {
@@ -38,7 +39,7 @@ constexpr const char* kFooter =
 
 /// Raw texts, checked after parsing so that the messages name parameter, value and range.
 struct RawOptions {
-  std::string intrinsics, depth_scale, sensor, repeats;
+  std::string intrinsics, depth_scale, sensor, repeats, example;
   bool print_kernels = false;
 };
 
@@ -57,12 +58,23 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
       ->type_name("\"X Y Z QX QY QZ QW\"");
   app.add_flag("--unlikely", options.unlikely,
                "also what was refused for its confidence, where nothing else is: why is my object missing?");
+  app.add_option("--example", raw.example,
+                 "write a simulated camera's view of a table, as PCD or depth PNG, say how to go on with it, and end")
+      ->type_name("FILE");
   app.add_option("--repeat", raw.repeats, "detect N times in the same points: min, median, max of every stage")
       ->type_name("N");
   app.add_flag(
       "--kernels", raw.print_kernels,
       "print the voting kernels that this machine can run and the one in use, and end; the environment variable "
       "PRIMITECT_KERNELS names another one");
+}
+
+/// Writes the file. program: as the user called it.
+std::string exampleText(const RawOptions& raw, const std::vector<std::string>& files, const std::string& program) {
+  if (!files.empty()) throw std::invalid_argument("--example writes a file and ends: it takes no other FILE");
+  const std::string arguments = writeExample(raw.example);
+  return raw.example + ": what the demo's simulated camera sees of its table. Next:\n\n    " + program + " " +
+         arguments + " --picture found.png\n\n";
 }
 
 std::string kernelText() {
@@ -107,7 +119,8 @@ void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& 
 }
 
 void checkFiles(const DetectOptions& options) {
-  if (options.files.empty()) throw std::invalid_argument("no FILE given (see --help)");
+  if (options.files.empty())
+    throw std::invalid_argument("no FILE given (see --help); --example table.pcd writes one to try");
   for (const std::string& file : options.files) {
     if (!io::isDepthImage(file)) continue;
     if (!options.depth_image.intrinsics) {
@@ -144,6 +157,10 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   }
   if (raw.print_kernels) {
     std::cout << kernelText();
+    return std::nullopt;
+  }
+  if (app.count("--example")) {
+    std::cout << exampleText(raw, options.files, argv[0]);
     return std::nullopt;
   }
   checkFiles(options);

@@ -34,6 +34,22 @@ Detection squareFacingTheSensor() {
   return detection;
 }
 
+/// A face of a box whose nearest edge is the sensor's view, turned to a side by so much (rad); width of the face: m.
+Detection faceOfBox(double turn, double width) {
+  Detection detection;
+  const Eigen::AngleAxisd turned(turn, Vec3::UnitY());
+  const Vec3 normal = turned * -Vec3::UnitZ(), along = turned * Vec3::UnitX() * std::copysign(width, -turn);
+  const Vec3 edge(0.0, 0.0, 1.0), up(0.0, -0.1, 0.0);
+  detection.extent.origin = edge + 0.5 * along + 0.5 * up;
+  detection.extent.rotation.col(2) = normal;
+  detection.extent.rotation.col(1) = Vec3::UnitY();
+  detection.extent.rotation.col(0) = Vec3::UnitY().cross(normal);
+  detection.extent.size = Vec3(width, 0.1, 0.0);
+  detection.extent.hull = {edge, edge + along, edge + along + up, edge + up};
+  detection.shape = Plane{detection.extent.origin, normal};
+  return detection;
+}
+
 Detection cylinderUpright() {
   Detection detection;
   detection.extent.origin = Vec3(0.0, 0.0, 1.0);
@@ -91,6 +107,26 @@ TEST(Markers, KeepStampAndFrameAndHaveUnitOrientations) {
     const auto& q = marker.pose.orientation;
     EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-9) << marker.ns;
   }
+}
+
+TEST(Markers, NameTheFacesOfABoxWhereNeitherHidesTheOther) {
+  constexpr double kLetter = 0.5;  // about so wide, in its height
+  const auto placesOfTexts = [](double width) {
+    MarkerWriter writer;
+    std::vector<Marker> texts;
+    for (const Marker& marker : writer.update(messageOf({faceOfBox(0.8, width), faceOfBox(-0.8, width)}), {}).markers) {
+      if (marker.ns == "plane_text") texts.push_back(marker);
+    }
+    EXPECT_EQ(texts.size(), 2u);
+    return texts;
+  };
+  const std::vector<Marker> narrow = placesOfTexts(0.05), wide = placesOfTexts(0.8);
+  const double text_width = kLetter * narrow[0].scale.z * static_cast<double>(narrow[0].text.size());
+  ASSERT_GT(text_width, 0.05);
+  EXPECT_LT(narrow[0].pose.position.x, -0.5 * text_width) << "on its own side";
+  EXPECT_GT(narrow[1].pose.position.x, 0.5 * text_width);
+  // Within a wide face there is room.
+  EXPECT_NEAR(wide[0].pose.position.x, -0.4 * std::cos(0.8), 0.05);
 }
 
 TEST(Markers, ShowSphereAndCylinderInTheirSize) {
