@@ -3,9 +3,9 @@
 // Depth PNGs to clouds.
 #include "io/depth_image.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <vector>
 
 #include "io/png_image.h"
@@ -13,14 +13,17 @@
 namespace primitect::io {
 namespace {
 
-DepthPixels readPixels(const std::string& path, const FileHead& head) {
-  std::vector<char> bytes(head.file_size);
+/// size: of the PNG, which the file may be longer than.
+DepthPixels readPixels(const std::string& path, std::uint64_t size) {
+  constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
+  constexpr std::uint64_t kPerByte = 1032 / 2;  // deflate packs at most 1032 bytes into one
+  std::vector<char> bytes(size);
   std::ifstream stream(path, std::ios::binary);
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream) throw FileError(path, "cannot be read to its end");
   try {
-    constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();  // the head was checked against the file's size
-    return decodeDepthPng(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), kMost);
+    return decodeDepthPng(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
+                          std::min(kMostPixels, kPerByte * size));
   } catch (const PngError& error) {
     throw FileError(path, error.what());
   }
@@ -33,8 +36,7 @@ Cloud readDepthImage(const std::string& path, const FileHead& head, const DepthI
   if (!(options.depth_scale > 0.0) || !std::isfinite(options.depth_scale)) {
     throw std::invalid_argument("depth_scale: must be above 0 m per unit");
   }
-  checkDepthPngHead(path, head);
-  const DepthPixels image = readPixels(path, head);
+  const DepthPixels image = readPixels(path, checkDepthPng(path, head));
 
   const Intrinsics& lens = *options.intrinsics;
   const float scale = static_cast<float>(options.depth_scale);

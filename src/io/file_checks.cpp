@@ -26,10 +26,11 @@ std::string pngFormat(int bit_depth, int color_type) {
   return std::to_string(bit_depth) + "-bit " + (known ? kColors[color_type] : "?");
 }
 
-/// Tells where the file ends too early; libpng would not.
-void checkPngChunks(const std::string& path, std::uint64_t file_size) {
+/// Returns where the last chunk ends; says what is missing where the file ends before, which libpng does not.
+std::uint64_t checkPngChunks(const std::string& path, std::uint64_t file_size) {
   std::ifstream stream(path, std::ios::binary);
   std::string name;
+  std::uint64_t end = 0;
   for (std::uint64_t at = 8; name != "IEND";) {
     std::string head(8, '\0');
     stream.seekg(static_cast<std::streamoff>(at));
@@ -38,7 +39,9 @@ void checkPngChunks(const std::string& path, std::uint64_t file_size) {
     name = head.substr(4);
     at += std::uint64_t{12} + bigEndian(head, 0);  // length, name, data, checksum
     if (at > file_size) throw FileError(path, "truncated PNG: a chunk claims more bytes than the file has");
+    end = at;
   }
+  return end;
 }
 
 /// Printable, and short enough for a message.
@@ -106,7 +109,7 @@ void checkAsciiBody(const std::string& path, std::uint64_t begin, const TextTabl
   }
 }
 
-void checkDepthPngHead(const std::string& path, const FileHead& head) {
+std::uint64_t checkDepthPng(const std::string& path, const FileHead& head) {
   static const std::string kSignature = "\x89PNG\r\n\x1a\n";
   // Signature, then the IHDR chunk: length, name, width, height, bit depth, color type.
   constexpr std::size_t kHeadEnd = 8 + 8 + 13 + 4;
@@ -125,7 +128,13 @@ void checkDepthPngHead(const std::string& path, const FileHead& head) {
     throw FileError(path, "broken PNG: " + std::to_string(width) + " x " + std::to_string(height) +
                               " pixels cannot be in " + std::to_string(head.file_size) + " bytes");
   }
-  checkPngChunks(path, head.file_size);
+  return checkPngChunks(path, head.file_size);
+}
+
+std::string lowerExtension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
 }
 
 }  // namespace primitect::io

@@ -50,7 +50,11 @@ struct TextTable {
 /// PCL takes such a word for 0 or skips the line.
 void checkAsciiBody(const std::string& path, std::uint64_t begin, const TextTable& table);
 
-/// Throws FileError when the file is not a 16-bit, one-channel PNG of a size that the file can hold.
-void checkDepthPngHead(const std::string& path, const FileHead& head);
+/// Where the PNG ends, in bytes: what follows is not its own. Throws FileError when the file is not a 16-bit,
+/// one-channel PNG of a size that the file can hold, or ends too early.
+std::uint64_t checkDepthPng(const std::string& path, const FileHead& head);
+
+/// Of a name: ".pcd" of cloud.PCD.
+std::string lowerExtension(const std::string& path);
 
 }  // namespace primitect::io

@@ -6,22 +6,28 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
+
+#include "io/quiet_pcl.h"
 
 namespace primitect::io {
 
 void writePcd(const std::string& path, const Cloud& cloud) {
   pcl::PointCloud<pcl::PointXYZ> points;
+  points.reserve(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) points.push_back({cloud.x[i], cloud.y[i], cloud.z[i]});
   points.width = cloud.width, points.height = cloud.height, points.is_dense = false;
-  bool written = false;
+  const QuietPcl quiet;
+  std::string cause;
   try {
-    written = pcl::PCDWriter().writeBinary(path, points) == 0;
-  } catch (const std::exception&) {
-    written = false;  // reported like any other file that cannot be written
+    if (pcl::PCDWriter().writeBinary(path, points) == 0) return;
+  } catch (const std::exception& error) {
+    cause = std::string(" (") + error.what() + ")";
   }
-  if (!written) throw std::runtime_error(path + ": cannot be written");
+  std::replace(cause.begin(), cause.end(), '\n', ' ');
+  throw std::runtime_error(path + ": cannot be written" + cause);
 }
 
 }  // namespace primitect::io

@@ -13,9 +13,17 @@
 namespace primitect::io {
 namespace {
 
-constexpr std::size_t kSignature = 8, kHead = kSignature + 8 + 13 + 4;  // bytes; the first chunk is the header
+constexpr std::size_t kSignature = 8;  // bytes
 
-[[noreturn]] void giveUp(png_structp png, png_const_charp /*cause*/) { png_longjmp(png, 1); }
+/// libpng's own words on why it gave up.
+struct Cause {
+  char text[80] = "";
+};
+
+[[noreturn]] void giveUp(png_structp png, png_const_charp cause) {
+  std::snprintf(static_cast<Cause*>(png_get_error_ptr(png))->text, sizeof(Cause::text), "%s", cause);
+  png_longjmp(png, 1);
+}
 
 void ignore(png_structp /*png*/, png_const_charp /*warning*/) {}
 
@@ -23,21 +31,30 @@ void ignore(png_structp /*png*/, png_const_charp /*warning*/) {}
 class Reader {
  public:
   Reader(const std::uint8_t* bytes, std::size_t size)
-      : next_(bytes), left_(size), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, giveUp, ignore)) {
+      : next_(bytes), left_(size), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &cause_, giveUp, ignore)) {
     if (png_) info_ = png_create_info_struct(png_);
-    if (info_) png_set_read_fn(png_, this, take);
+    if (!info_) return;
+    png_set_read_fn(png_, this, take);
+    // Texts and profiles say nothing of depths, and a few bytes of them may unpack to gigabytes.
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   }
   ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
   bool readHead() {
-    if (!info_ || setjmp(png_jmpbuf(png_)) != 0) return false;
+    if (!info_) return false;
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_info(png_, info_);
     return true;
   }
   bool hasDepths() const {
     return png_get_bit_depth(png_, info_) == 16 && png_get_color_type(png_, info_) == PNG_COLOR_TYPE_GRAY;
+  }
+  /// One line, after a function gave up.
+  PngError error() const {
+    const std::string cause = cause_.text[0] == '\0' ? "not enough memory" : cause_.text;
+    return PngError("broken or truncated PNG data (" + cause + ")");
   }
   std::uint32_t width() const { return png_get_image_width(png_, info_); }
   std::uint32_t height() const { return png_get_image_height(png_, info_); }
@@ -66,11 +83,12 @@ class Reader {
   }
   static void take(png_structp png, png_bytep to, std::size_t count) {
     auto& reader = *static_cast<Reader*>(png_get_io_ptr(png));
-    if (count > reader.left_) giveUp(png, "");
+    if (count > reader.left_) giveUp(png, "ends too early");
     std::memcpy(to, reader.next_, count);
     reader.next_ += count, reader.left_ -= count;
   }
 
+  Cause cause_;
   const std::uint8_t* next_;
   std::size_t left_;
   png_structp png_;
@@ -91,7 +109,9 @@ void write(const std::string& path, const Layout& layout, const void* pixels, st
   std::FILE* const file = std::fopen(path.c_str(), "wb");
   if (!file) throw PngError(std::strerror(errno));
   const bool made = png_image_write_to_stdio(&image, file, 0, pixels, static_cast<png_int_32>(stride), nullptr) != 0;
+  const int fault = std::ferror(file) != 0 ? errno : 0;  // fclose() may have another one
   const bool closed = std::fclose(file) == 0;
+  if (fault != 0) throw PngError(std::strerror(fault));
   if (!made) throw PngError(image.message);
   if (!closed) throw PngError(std::strerror(errno));
 }
@@ -99,9 +119,9 @@ void write(const std::string& path, const Layout& layout, const void* pixels, st
 }  // namespace
 
 DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uint64_t most_pixels) {
-  if (size < kHead || png_sig_cmp(bytes, 0, kSignature) != 0) throw PngError("no PNG");
+  if (size < kSignature || png_sig_cmp(bytes, 0, kSignature) != 0) throw PngError("no PNG");
   Reader reader(bytes, size);
-  if (!reader.readHead()) throw PngError("broken or truncated PNG data");
+  if (!reader.readHead()) throw reader.error();
   if (!reader.hasDepths()) throw PngError("the PNG is not one of 16 bits and one channel");
   DepthPixels image = {reader.width(), reader.height(), {}};
   const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
@@ -110,11 +130,14 @@ DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uin
                    std::to_string(most_pixels));
   }
   image.values.resize(pixels);
-  if (!reader.readRows(image.values.data())) throw PngError("broken or truncated PNG data");
+  if (!reader.readRows(image.values.data())) throw reader.error();
   return image;
 }
 
 void writeDepthPng(const std::string& path, const DepthPixels& image) {
+  if (image.values.empty() || image.values.size() != std::uint64_t{image.width} * image.height) {
+    throw std::invalid_argument("an image has width * height values, and at least one");
+  }
   write(path, {image.width, image.height, PNG_FORMAT_LINEAR_Y}, image.values.data(), image.width);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth images from PNG and to it, pictures to PNG: a library of its own, as what reads neither point files nor draws needs it,
-// too.
+// Depth images from PNG and to it, pictures to PNG. A library of its own: what unpacks depth images needs no other
+// file.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,8 @@ struct DepthPixels {
 /// numbers of 16 bits, or more than most_pixels of them.
 DepthPixels decodeDepthPng(const std::uint8_t* bytes, std::size_t size, std::uint64_t most_pixels);
 
-/// Throws PngError where the file cannot be written.
+/// Throws PngError where the file cannot be written, std::invalid_argument where the image is empty or not as large as
+/// it says.
 void writeDepthPng(const std::string& path, const DepthPixels& image);
 
 /// A picture of height rows, stride bytes apart, of width pixels with 8 bits for blue, green and red each. Throws

@@ -109,12 +109,6 @@ Cloud convert(const std::string& path, const pcl::PCLPointCloud2& message) {
   return cloud;
 }
 
-std::string lowerExtension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
-
 }  // namespace
 
 bool isDepthImage(const std::string& path) { return lowerExtension(path) == ".png"; }

@@ -26,17 +26,17 @@ double reach(const Primitive& primitive, const Body& body, const Vec3& direction
   return 0.5 * primitive.size[2] * along + primitive.radius * std::sqrt(std::max(0.0, 1.0 - along * along));
 }
 
-/// From the middle of a plane's text to where it stands, to the side that the plane turns to.
+/// From the middle of a plane's text to where it stands: as far as the text is longer than the plane is wide, to the
+/// side that the plane is turned to.
 Vec3 besideNarrow(const Primitive& primitive, const Body& body, const TextView& view) {
   constexpr double kWidth = 0.5;   // of a letter, in its height
-  constexpr double kTurned = 0.2;  // sine of the angle to the side from which on a plane is turned to it
+  constexpr double kTurned = 0.2;  // sine of the angle to the side from which on all of it is moved
   const Vec3 across = (body.origin - view.viewpoint).cross(view.up);
   if (!(across.norm() > 1e-3)) return Vec3::Zero();
   const Vec3 right = across.normalized();
-  const double turned = body.axis.dot(right), half = 0.5 * kWidth * view.height * static_cast<double>(view.letters);
-  const bool narrow = std::max(reach(primitive, body, right), reach(primitive, body, -right)) < half;
-  if (!narrow || std::abs(turned) < kTurned) return Vec3::Zero();
-  return std::copysign(half, turned) * right;
+  const double half = 0.5 * kWidth * view.height * static_cast<double>(view.letters);
+  const double lacking = half - std::max(reach(primitive, body, right), reach(primitive, body, -right));
+  return std::clamp(body.axis.dot(right) / kTurned, -1.0, 1.0) * std::max(lacking, 0.0) * right;
 }
 
 /// On one line: texts of things that are side by side would hide each other.

@@ -5,6 +5,7 @@
 
 #include <primitect/Primitive.h>
 
+#include <cstddef>
 #include <string>
 
 #include "primitect/primitives.h"
@@ -15,17 +16,16 @@ namespace primitect::ros_layer {
 /// confidence below 90 %: "sphere r 39 mm 73 %".
 std::string describe(const Primitive& primitive);
 
-/// Where a text stands: up is a unit vector of the header's frame, viewpoint a place in it; the height is that of a
-/// letter (m), letters is their number.
+/// How a text is seen, in the header's frame: a unit vector upwards, where the sensor is, how high its letters are (m)
+/// and how many there are.
 struct TextView {
   Vec3 up, viewpoint;
   double height;
   std::size_t letters;
 };
 
-/// Planes carry their text near the lower edge, where nothing stands on them; those that are narrower than their text
-/// and turn to a side, as the faces of a box, towards that side, where it does not hide the text of the next face.
-/// Bodies have it on top.
+/// Planes carry their text near the lower edge, where nothing stands on them. Those that are narrower than it and turn
+/// to a side, as the faces of a box, have it on that side, beside the text of the next face. Bodies have it on top.
 Vec3 textPosition(const Primitive& primitive, const TextView& view);
 
 }  // namespace primitect::ros_layer

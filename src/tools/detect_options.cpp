@@ -70,11 +70,15 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
 }
 
 /// Writes the file. program: as the user called it.
-std::string exampleText(const RawOptions& raw, const std::vector<std::string>& files, const std::string& program) {
-  if (!files.empty()) throw std::invalid_argument("--example writes a file and ends: it takes no other FILE");
-  const std::string arguments = writeExample(raw.example);
-  return raw.example + ": what the demo's simulated camera sees of its table. Next:\n\n    " + program + " " +
-         arguments + " --picture found.png\n\n";
+std::string exampleText(const CLI::App& app, const std::string& path, const std::string& program) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() > 0 && option->get_name() != "--example") {
+      throw std::invalid_argument("--example writes a file and ends: it takes no other FILE and no option");
+    }
+  }
+  const std::string arguments = writeExample(path);
+  return path + ": what the demo's simulated camera sees of its table. Next:\n\n    " + program + " " + arguments +
+         "\n\n";
 }
 
 std::string kernelText() {
@@ -150,6 +154,10 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   param_options.addTo(app, paramsOfGroup("node"));
   if (!parseOrSay(app, argc, argv)) return std::nullopt;
   param_options.take(app, options.params);
+  if (app.count("--example")) {
+    std::cout << exampleText(app, raw.example, argv[0]);
+    return std::nullopt;
+  }
   takeMainOptions(app, raw, options);
   if (param_options.printWanted()) {
     std::cout << options.params.asYaml();
@@ -157,10 +165,6 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   }
   if (raw.print_kernels) {
     std::cout << kernelText();
-    return std::nullopt;
-  }
-  if (app.count("--example")) {
-    std::cout << exampleText(raw, options.files, argv[0]);
     return std::nullopt;
   }
   checkFiles(options);

@@ -5,10 +5,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <stdexcept>
+
+#include "io/file_checks.h"
 
 namespace primitect::tools {
 namespace {
@@ -43,14 +46,14 @@ std::vector<std::string> pathsInside(const std::string& option, const fs::path& 
 
 /// A name that promises another format would be read as that.
 void refuseOtherFormats(const std::string& option, const std::string& output, const std::string& extension) {
-  const std::string own = fs::path(output).extension().string();
-  for (const char* other :
-       {".json", ".ply", ".png", ".pcd", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".yaml"}) {
-    if (own == other && own != extension) {
-      throw std::invalid_argument(option + ": " + output + " would not be a " + own.substr(1) +
-                                  " file; what is written is " + extension.substr(1));
-    }
-  }
+  static const std::vector<std::string> kKnown = {".json", ".ply", ".png", ".pcd", ".jpg", ".jpeg", ".yaml"};
+  const std::string own = io::lowerExtension(output);
+  if (own.empty() || own == extension) return;
+  // Of pictures any name: there are too many formats.
+  const bool promises = extension == ".png" || std::find(kKnown.begin(), kKnown.end(), own) != kKnown.end();
+  if (!promises) return;
+  throw std::invalid_argument(option + ": " + output + " would not be a " + own.substr(1) +
+                              " file; what is written is " + extension.substr(1));
 }
 
 }  // namespace

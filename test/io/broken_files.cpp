@@ -10,6 +10,8 @@
 namespace primitect::io::broken_files_test {
 namespace {
 
+constexpr Intrinsics kLens = {500.0, 500.0, 20.0, 15.0};
+
 using test::bytesOf;
 
 class BrokenFiles : public test::TemporaryFolder {
@@ -17,7 +19,7 @@ class BrokenFiles : public test::TemporaryFolder {
   /// The message without the path; fails when the file is taken.
   std::string causeOf(const std::string& file) {
     DepthImageOptions options;
-    options.intrinsics = Intrinsics{500.0, 500.0, 20.0, 15.0};
+    options.intrinsics = kLens;
     try {
       readPointFile(file, options);
     } catch (const std::runtime_error& error) {
@@ -202,6 +204,11 @@ TEST_F(BrokenFiles, AreRefusedWhenThePngIsBroken) {
   expectCause("huge.png", huge, "65536 x 65536 pixels cannot be in");
   flipped[good.size() / 2] = static_cast<char>(flipped[good.size() / 2] ^ 0x55);
   expectCause("flipped.png", flipped, "broken or truncated PNG");
+  // What follows belongs to no image, and counts neither as its own nor for how many pixels it may have.
+  const std::vector<std::uint8_t> claiming = test::claiming({good.begin(), good.end()}, 20000, 20000);
+  const std::string rest(1 << 20, '\0');
+  EXPECT_EQ(readPointFile(write("longer.png", good + rest), {kLens}).cloud.size(), 30u * 40u);
+  expectCause("claims.png", std::string(claiming.begin(), claiming.end()) + rest, "the PNG has 400000000 pixels");
 }
 
 TEST_F(BrokenFiles, NeverCrashTheReaderHoweverTheyAreBroken) {

@@ -20,7 +20,7 @@ class DetectExample : public DetectProgram {
   /// What the program says to do with it, without the program's own name and the picture.
   std::string argumentsFor(const std::string& name) {
     EXPECT_EQ(run("--example " + path(name)), 0) << err;
-    const std::string program = std::string(PRIMITECT_TOOLS_DIR) + "/detect ", picture = " --picture found.png";
+    const std::string program = std::string(PRIMITECT_TOOLS_DIR) + "/detect ", picture = " --picture table_found.png";
     const std::size_t begin = out.find(program), end = out.find(picture);
     if (begin == std::string::npos || end == std::string::npos) return "?";
     return out.substr(begin + program.size(), end - begin - program.size());
@@ -56,13 +56,34 @@ TEST_F(DetectExample, OverwritesNothing) {
 
 TEST_F(DetectExample, IsRefusedWhereItCannotBe) {
   expectUsageError("--example " + path("table.jpg"), {"--example", "table.jpg", ".pcd or .png"});
-  expectUsageError("--example " + path("table.pcd") + " " + ball, {"--example", "no other FILE"});
+  for (const std::string& more :
+       {ball, std::string("--picture x.png"), std::string("--max_depth 1"), std::string("--kernels")}) {
+    expectUsageError("--example " + path("table.pcd") + " " + more, {"--example", "no other FILE and no option"});
+  }
   EXPECT_FALSE(std::filesystem::exists(path("table.pcd")));
   for (const char* name : {"no/such/folder.pcd", "no/such/folder.png"}) {
     EXPECT_EQ(run("--example " + path(name)), 1) << name;
     EXPECT_NE(err.find("cannot be written"), std::string::npos) << err;
     EXPECT_EQ(errorLines(), 1) << err;
   }
+}
+
+TEST_F(DetectExample, IsRemovedWhereTheDiskIsFull) {
+  for (const char* name : {"table.pcd", "table.png"}) {
+    // The program that the shell starts may write no more than 100 blocks.
+    const std::string command = "bash -c 'ulimit -f 100; trap \"\" XFSZ; " PRIMITECT_TOOLS_DIR "/detect --example " +
+                                path(name) + "' >" + path("stdout") + " 2>" + path("stderr");
+    EXPECT_NE(std::system(command.c_str()), 0);
+    const std::string said = read(path("stderr"));
+    EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_FALSE(std::filesystem::exists(path(name)));
+  }
+}
+
+TEST_F(DetectExample, TellsNamesWithBlanksAsAShellTakesThem) {
+  EXPECT_EQ(run("--example '" + path("my table.pcd") + "'"), 0) << err;
+  EXPECT_NE(out.find("\"" + path("my table.pcd") + "\" --picture \"my table_found.png\""), std::string::npos) << out;
 }
 
 TEST_F(DetectExample, IsNamedWhereNoFileIs) { expectUsageError("", {"no FILE", "--example table.pcd"}); }

@@ -191,7 +191,7 @@ TEST_F(DetectProgram, RefusesTwoOutputsInOneFile) {
 
 TEST_F(DetectProgram, RefusesOutputsThatAreNamedAsOtherFormats) {
   expectUsageError(ball + " --labels " + path("labels.pcd"), {"--labels", "labels.pcd", "ply"});
-  for (const char* name : {"picture.jpg", "picture.bmp", "picture.webp"}) {
+  for (const char* name : {"picture.jpg", "picture.JPG", "picture.bmp", "picture.unknown"}) {
     expectUsageError(ball + " --picture " + path(name), {"--picture", name, "png"});
   }
   expectUsageError(ball + " --json " + path("result.yaml"), {"--json", "result.yaml", "json"});

@@ -207,7 +207,8 @@ TEST_F(DetectSensor, WritesLabelsOfThePointsAsTheyAreInTheFile) {
 TEST_F(DetectSensor, DrawsWhatTheCameraSaw) {
   EXPECT_EQ(run(in_camera + " --picture " + path("camera.png")), 0) << err;
   EXPECT_EQ(run(in_robot + sensor + " --picture " + path("robot.png")), 0) << err;
-  const cv::Mat expected = primitect::test::readPicture(path("camera.png")), picture = primitect::test::readPicture(path("robot.png"));
+  const cv::Mat expected = primitect::test::readPicture(path("camera.png")),
+                picture = primitect::test::readPicture(path("robot.png"));
   ASSERT_EQ(picture.size(), expected.size());
   // Rounding of moved points may shift an edge.
   EXPECT_LT(cv::norm(picture, expected, cv::NORM_L1) / static_cast<double>(picture.total()), 1.0);

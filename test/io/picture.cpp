@@ -218,7 +218,7 @@ TEST_F(LabelFiles, HoldPointsColorsAndLabels) {
 TEST_F(LabelFiles, ThatCannotBeWrittenAreReported) {
   EXPECT_THROW(writeLabels(path("no/such/folder.ply"), Cloud{}, Detections{}, {}), std::runtime_error);
   EXPECT_THROW(writePicture(path("no/such/folder.png"), cv::Mat(2, 2, CV_8UC3)), std::runtime_error);
-  EXPECT_THROW(writePicture("/dev/full", cv::Mat(2, 2, CV_8UC3)), std::runtime_error);
+  EXPECT_THROW(writePicture("/dev/full", cv::Mat::zeros(2, 2, CV_8UC3)), std::runtime_error);
   EXPECT_TRUE(std::filesystem::exists("/dev/full")) << "what cannot be written stays";
 }
 

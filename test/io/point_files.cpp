@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Point files written by PCL and OpenCV, or by hand, come back as the points that went in.
+// Point files written by PCL and libpng, or by hand, come back as the points that went in.
 #include "io/point_files.h"
 
 #include <pcl/io/pcd_io.h>

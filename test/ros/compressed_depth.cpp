@@ -111,7 +111,7 @@ TEST(CompressedDepth, ThatIsBrokenIsTold) {
   sensor_msgs::CompressedImage broken = whole;
   broken.data.resize(11);
   EXPECT_NE(refusalOf(broken).find("no data"), std::string::npos);
-  for (const std::size_t size : {12u, 20u, 35u}) {
+  for (const std::size_t size : {12u, 19u}) {
     broken.data.assign(whole.data.begin(), whole.data.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_NE(refusalOf(broken).find("no PNG"), std::string::npos) << size;
   }

@@ -34,7 +34,8 @@ Detection squareFacingTheSensor() {
   return detection;
 }
 
-/// A face of a box whose nearest edge is the sensor's view, turned to a side by so much (rad); width of the face: m.
+/// A face of a box, turned to a side by so much (rad), beside the edge that is nearest to the sensor; width: of the
+/// face, m.
 Detection faceOfBox(double turn, double width) {
   Detection detection;
   const Eigen::AngleAxisd turned(turn, Vec3::UnitY());
@@ -123,8 +124,15 @@ TEST(Markers, NameTheFacesOfABoxWhereNeitherHidesTheOther) {
   const std::vector<Marker> narrow = placesOfTexts(0.05), wide = placesOfTexts(0.8);
   const double text_width = kLetter * narrow[0].scale.z * static_cast<double>(narrow[0].text.size());
   ASSERT_GT(text_width, 0.05);
-  EXPECT_LT(narrow[0].pose.position.x, -0.5 * text_width) << "on its own side";
-  EXPECT_GT(narrow[1].pose.position.x, 0.5 * text_width);
+  EXPECT_NEAR(narrow[0].pose.position.x, -0.5 * text_width, 0.02) << "it ends at the edge";
+  EXPECT_NEAR(narrow[1].pose.position.x, 0.5 * text_width, 0.02);
+  for (double turn = -0.3; turn < 0.3; turn += 0.02) {  // nothing jumps
+    const auto placeOf = [](double angle) {
+      MarkerWriter writer;
+      return markerOf(writer.update(messageOf({faceOfBox(angle, 0.05)}), {}), "plane_text").pose.position.x;
+    };
+    EXPECT_NEAR(placeOf(turn + 0.009), placeOf(turn + 0.011), 0.002) << turn;
+  }
   // Within a wide face there is room.
   EXPECT_NEAR(wide[0].pose.position.x, -0.4 * std::cos(0.8), 0.05);
 }

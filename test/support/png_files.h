@@ -49,15 +49,27 @@ inline cv::Mat readPicture(const std::string& path) {
   return png_image_finish_read(&image, nullptr, pixels.data, 0, nullptr) != 0 ? pixels : cv::Mat();
 }
 
-/// The same PNG that claims to have so many pixels, with the right checksum.
-inline std::vector<std::uint8_t> claiming(std::vector<std::uint8_t> png, std::uint32_t width, std::uint32_t height) {
-  constexpr std::size_t kName = 12, kWidth = 16, kHeight = 20, kChecksum = 29;
-  const auto write = [&png](std::size_t at, std::uint32_t number) {
-    for (int k = 0; k < 4; ++k)
-      png.at(at + static_cast<std::size_t>(k)) = static_cast<std::uint8_t>(number >> (24 - 8 * k));
+/// With the right checksum of the chunk whose length is at this place; false where there is none.
+inline bool checksumChunk(std::vector<std::uint8_t>& png, std::size_t at) {
+  const auto number = [&png](std::size_t place) {
+    return std::uint32_t{png[place]} << 24 | std::uint32_t{png[place + 1]} << 16 | std::uint32_t{png[place + 2]} << 8 |
+           png[place + 3];
   };
-  write(kWidth, width), write(kHeight, height);
-  write(kChecksum, static_cast<std::uint32_t>(crc32(0, png.data() + kName, kChecksum - kName)));
+  if (at + 12 > png.size() || number(at) > png.size() - at - 12) return false;
+  const std::size_t end = at + 8 + number(at);
+  const auto sum = static_cast<std::uint32_t>(crc32(0, png.data() + at + 4, number(at) + 4));
+  for (std::size_t k = 0; k < 4; ++k) png[end + k] = static_cast<std::uint8_t>(sum >> (24 - 8 * k));
+  return true;
+}
+
+/// The same PNG that claims to have so many pixels.
+inline std::vector<std::uint8_t> claiming(std::vector<std::uint8_t> png, std::uint32_t width, std::uint32_t height) {
+  constexpr std::size_t kHeader = 8, kWidth = 16, kHeight = 20;
+  for (std::size_t k = 0; k < 4; ++k) {
+    png.at(kWidth + k) = static_cast<std::uint8_t>(width >> (24 - 8 * k));
+    png.at(kHeight + k) = static_cast<std::uint8_t>(height >> (24 - 8 * k));
+  }
+  checksumChunk(png, kHeader);
   return png;
 }
 
