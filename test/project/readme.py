@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The README and the table of parameters tell the truth: commands, files, links and parameters exist."""
+"""The README and the pages of docs/ tell the truth: commands, files, links and parameters exist."""
 import os
 import re
 import sys
@@ -9,10 +9,15 @@ import sys
 COMMANDS = ("scripts/demo", "scripts/test", "scripts/setup")
 
 
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
 def parameters(root):
     """Defaults by name."""
-    with open(os.path.join(root, "include/primitect/params.def"), encoding="utf-8") as file:
-        rows = re.findall(r"^PRIMITECT_(?:CHOICE|BOOL|INT|REAL|TEXT)\((\w+), (.*)", file.read(), re.M)
+    table = read(os.path.join(root, "include/primitect/params.def"))
+    rows = re.findall(r"^PRIMITECT_(?:CHOICE|BOOL|INT|REAL|TEXT)\((\w+), (.*)", table, re.M)
     return {name: re.match(r'("[^"]*"|[^,]+),', rest).group(1).strip('"') or "empty" for name, rest in rows}
 
 
@@ -22,9 +27,34 @@ def defaults_in(page):
     return {name: default.strip("`") for names, default in rows for name in re.findall(r"\w+", names)}
 
 
+def anchors_of(page):
+    """As the headings of a page are linked to."""
+    headings = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```", "", page, flags=re.M | re.S), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def faults_in(root, name):
+    """Links, launch files and paths that a page names and that are not there."""
+    page = read(os.path.join(root, name))
+    for link, anchor in re.findall(r"\]\(([^)#]*)(?:#([^)]*))?\)", page):
+        path = os.path.join(root, os.path.dirname(name), link) if link else os.path.join(root, name)
+        if link.startswith("http"):
+            continue
+        if not os.path.exists(path):
+            yield "%s links to %s, which is not there" % (name, link)
+        elif anchor and anchor not in anchors_of(read(path)):
+            yield "%s links to #%s, which %s does not have" % (name, anchor, link or "it")
+    for launch in set(re.findall(r"\b(\w+\.launch)\b", page)):
+        if not os.path.exists(os.path.join(root, "launch", launch)):
+            yield "%s names %s, which is not there" % (name, launch)
+    for path in set(re.findall(r"`((?:src|include|config|docs|eval|test|scripts|launch|msg)/[\w./-]+)`", page)):
+        made = path.startswith("eval/results/")  # by the commands of the page
+        if not made and not os.path.exists(os.path.join(root, path)):
+            yield "%s names %s, which is not there" % (name, path)
+
+
 def check(root):
-    with open(os.path.join(root, "README.md"), encoding="utf-8") as file:
-        readme = file.read()
+    readme = read(os.path.join(root, "README.md"))
     faults = []
     for command in COMMANDS:
         path = os.path.join(root, command)
@@ -32,20 +62,15 @@ def check(root):
             faults.append("README.md does not name " + command)
         if not os.access(path, os.X_OK):
             faults.append("README.md names %s, which cannot be run" % command)
-    for link in re.findall(r"\]\(([^)#]+)\)", readme):
-        if not link.startswith("http") and not os.path.exists(os.path.join(root, link)):
-            faults.append("README.md links to %s, which is not there" % link)
-    for launch in set(re.findall(r"\b(\w+\.launch)\b", readme)):
-        if not os.path.exists(os.path.join(root, "launch", launch)):
-            faults.append("README.md names %s, which is not there" % launch)
-    for path in set(re.findall(r"`((?:src|include|config|docs|eval|test|scripts|launch|msg)/[\w./-]+)`", readme)):
-        if not os.path.exists(os.path.join(root, path)):
-            faults.append("README.md names %s, which is not there" % path)
+    pages = ["README.md", "eval/README.md"]
+    pages += sorted("docs/" + page for page in os.listdir(os.path.join(root, "docs")) if page.endswith(".md"))
+    for page in pages:
+        faults += faults_in(root, page)
     known = parameters(root)
     if len(known) < 20:
         faults.append("params.def could not be read")
-    with open(os.path.join(root, "docs/parameters.md"), encoding="utf-8") as file:
-        tables = {"README.md": defaults_in(readme), "docs/parameters.md": defaults_in(file.read())}
+    tables = {"README.md": defaults_in(readme),
+              "docs/parameters.md": defaults_in(read(os.path.join(root, "docs/parameters.md")))}
     for page, table in tables.items():
         for name in table:
             if name not in known:
@@ -60,5 +85,5 @@ def check(root):
 
 if __name__ == "__main__":
     found = check(sys.argv[1])
-    print("\n".join(found) or "README.md and docs/parameters.md tell the truth")
+    print("\n".join(found) or "README.md and docs/ tell the truth")
     sys.exit(1 if found else 0)
