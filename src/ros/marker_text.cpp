@@ -27,7 +27,7 @@ double reach(const Primitive& primitive, const Body& body, const Vec3& direction
 }
 
 /// From the middle of a plane's text to where it stands: as far as the text is longer than the plane is wide, to the
-/// side that the plane is turned to.
+/// side that the plane is turned to. On the two faces of a box it then begins or ends at their common edge.
 Vec3 besideNarrow(const Primitive& primitive, const Body& body, const TextView& view) {
   constexpr double kWidth = 0.5;   // of a letter, in its height
   constexpr double kTurned = 0.2;  // sine of the angle to the side from which on all of it is moved

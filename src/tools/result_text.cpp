@@ -75,8 +75,8 @@ std::string effortText(const io::FileReport& report) {
 /// What was refused for its confidence, with the same columns.
 std::string unlikelyText(const io::FileReport& report) {
   if (!report.unlikely) return "";
-  if (report.unlikely->items.empty()) return "  too unlikely, on points of nothing above: nothing\n";
-  return "  too unlikely (min_confidence), on points of nothing above:\n" + rowsText(*report.unlikely);
+  if (report.unlikely->items.empty()) return "  refused as too unlikely, where nothing above is: none\n";
+  return "  refused as too unlikely (min_confidence), where nothing above is:\n" + rowsText(*report.unlikely);
 }
 
 /// "Why is my object missing?" in one line.

@@ -74,7 +74,7 @@ TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
   ASSERT_NE(seen, moved["unlikely"].end()) << moved.dump(1);
   EXPECT_NEAR((*seen)["center"][2].get<double>(), (*found)["center"][2].get<double>(), 0.005);
   EXPECT_EQ(run(ball + " --unlikely --min_confidence 1"), 0);
-  EXPECT_NE(out.find("too unlikely (min_confidence), on points of nothing above:"), std::string::npos) << out;
+  EXPECT_NE(out.find("refused as too unlikely (min_confidence), where nothing above is:"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, PrintsWhereAPlaneFaces) {

@@ -212,7 +212,7 @@ class LaunchViews(unittest.TestCase):
 
     def test_the_robot_s_is_that_of_its_base_and_of_whoever_asks(self):
         for file in FILES:
-            for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["frame:=lens", "view:=robot"]):
+            for arguments in (["frame:=base_link"], ["frame:=/base_footprint"], ["frame:=odom"], ["frame:=lens", "view:=robot"]):
                 self.assertIn("config/robot.rviz", started(*file, *arguments), (file, arguments))
             self.assertIn("config/primitect.rviz", started(*file, "frame:=base_link", "view:=camera"), file)
 
