@@ -289,7 +289,7 @@ TEST(Parts, AreMeasuredWithNoiseAndScoredWithout) {
 
 TEST(SmallScenes, AskForWhatOwnsThreeInAThousand) {
   int optional = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 5 || (optional == 0 && seed <= 20); ++seed) {
     const LabelledCloud input = makeLabelledCloud(recipeOf("small", seed));
     std::vector<int> owned(input.truth.size(), 0);
     for (const int t : input.surface) ++owned.at(t);
