@@ -16,14 +16,13 @@ namespace {
 /// size: of the PNG, which the file may be longer than.
 DepthPixels readPixels(const std::string& path, std::uint64_t size) {
   constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
-  constexpr std::uint64_t kPerByte = 1032 / 2;  // deflate packs at most 1032 bytes into one
   std::vector<char> bytes(size);
   std::ifstream stream(path, std::ios::binary);
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream) throw FileError(path, "cannot be read to its end");
   try {
     return decodeDepthPng(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
-                          std::min(kMostPixels, kPerByte * size));
+                          std::min(kMostPixels, mostDepthPixels(size)));
   } catch (const PngError& error) {
     throw FileError(path, error.what());
   }

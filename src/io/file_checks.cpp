@@ -29,9 +29,8 @@ std::string pngFormat(int bit_depth, int color_type) {
 /// Returns where the last chunk ends; says what is missing where the file ends before, which libpng does not.
 std::uint64_t checkPngChunks(const std::string& path, std::uint64_t file_size) {
   std::ifstream stream(path, std::ios::binary);
-  std::string name;
-  std::uint64_t end = 0;
-  for (std::uint64_t at = 8; name != "IEND";) {
+  std::uint64_t at = 8;
+  for (std::string name; name != "IEND";) {
     std::string head(8, '\0');
     stream.seekg(static_cast<std::streamoff>(at));
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -39,9 +38,8 @@ std::uint64_t checkPngChunks(const std::string& path, std::uint64_t file_size) {
     name = head.substr(4);
     at += std::uint64_t{12} + bigEndian(head, 0);  // length, name, data, checksum
     if (at > file_size) throw FileError(path, "truncated PNG: a chunk claims more bytes than the file has");
-    end = at;
   }
-  return end;
+  return at;
 }
 
 /// Printable, and short enough for a message.
@@ -109,6 +107,11 @@ void checkAsciiBody(const std::string& path, std::uint64_t begin, const TextTabl
   }
 }
 
+std::uint64_t mostDepthPixels(std::uint64_t bytes) {
+  constexpr std::uint64_t kPacked = 1032, kPixel = 2;  // bytes that deflate packs into one at most; of a pixel
+  return bytes * kPacked / kPixel;
+}
+
 std::uint64_t checkDepthPng(const std::string& path, const FileHead& head) {
   static const std::string kSignature = "\x89PNG\r\n\x1a\n";
   // Signature, then the IHDR chunk: length, name, width, height, bit depth, color type.
@@ -123,8 +126,7 @@ std::uint64_t checkDepthPng(const std::string& path, const FileHead& head) {
     throw FileError(path, "PNG of " + pngFormat(bit_depth, color_type) + ", expected 16-bit gray (depth)");
   }
   const std::uint64_t width = bigEndian(head.bytes, 16), height = bigEndian(head.bytes, 20);
-  // Deflate packs at most 1032 bytes into one.
-  if (width == 0 || height == 0 || width * height > head.file_size * 1032 / 2) {
+  if (width == 0 || height == 0 || width * height > mostDepthPixels(head.file_size)) {
     throw FileError(path, "broken PNG: " + std::to_string(width) + " x " + std::to_string(height) +
                               " pixels cannot be in " + std::to_string(head.file_size) + " bytes");
   }

@@ -50,6 +50,9 @@ struct TextTable {
 /// PCL takes such a word for 0 or skips the line.
 void checkAsciiBody(const std::string& path, std::uint64_t begin, const TextTable& table);
 
+/// How many pixels of 16 bits a PNG of so many bytes can hold at most.
+std::uint64_t mostDepthPixels(std::uint64_t bytes);
+
 /// Where the PNG ends, in bytes: what follows is not its own. Throws FileError when the file is not a 16-bit,
 /// one-channel PNG of a size that the file can hold, or ends too early.
 std::uint64_t checkDepthPng(const std::string& path, const FileHead& head);

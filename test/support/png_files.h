@@ -49,26 +49,28 @@ inline cv::Mat readPicture(const std::string& path) {
   return png_image_finish_read(&image, nullptr, pixels.data, 0, nullptr) != 0 ? pixels : cv::Mat();
 }
 
-/// With the right checksum of the chunk whose length is at this place; false where there is none.
-inline bool checksumChunk(std::vector<std::uint8_t>& png, std::size_t at) {
-  const auto number = [&png](std::size_t place) {
-    return std::uint32_t{png[place]} << 24 | std::uint32_t{png[place + 1]} << 16 | std::uint32_t{png[place + 2]} << 8 |
-           png[place + 3];
-  };
-  if (at + 12 > png.size() || number(at) > png.size() - at - 12) return false;
-  const std::size_t end = at + 8 + number(at);
-  const auto sum = static_cast<std::uint32_t>(crc32(0, png.data() + at + 4, number(at) + 4));
-  for (std::size_t k = 0; k < 4; ++k) png[end + k] = static_cast<std::uint8_t>(sum >> (24 - 8 * k));
-  return true;
+inline void writeBigEndian(std::uint32_t number, std::uint8_t* to) {
+  for (int k = 0; k < 4; ++k) to[k] = static_cast<std::uint8_t>(number >> (24 - 8 * k));
+}
+
+/// Gives the chunk whose length is at this place its right checksum. Returns where the next one begins; 0: there is
+/// none.
+inline std::size_t checksumChunk(std::vector<std::uint8_t>& png, std::size_t at) {
+  constexpr std::size_t kName = 4, kData = 8, kAround = 12;  // length, name and checksum are four bytes each
+  if (at + kAround > png.size()) return 0;
+  std::size_t length = 0;
+  for (std::size_t k = 0; k < kName; ++k) length = length << 8 | png[at + k];
+  if (length > png.size() - at - kAround) return 0;
+  const uLong sum = crc32(0, png.data() + at + kName, static_cast<uInt>(length + kData - kName));
+  writeBigEndian(static_cast<std::uint32_t>(sum), png.data() + at + kData + length);
+  return at + kAround + length;
 }
 
 /// The same PNG that claims to have so many pixels.
 inline std::vector<std::uint8_t> claiming(std::vector<std::uint8_t> png, std::uint32_t width, std::uint32_t height) {
   constexpr std::size_t kHeader = 8, kWidth = 16, kHeight = 20;
-  for (std::size_t k = 0; k < 4; ++k) {
-    png.at(kWidth + k) = static_cast<std::uint8_t>(width >> (24 - 8 * k));
-    png.at(kHeight + k) = static_cast<std::uint8_t>(height >> (24 - 8 * k));
-  }
+  if (png.size() < kHeight + 4) throw std::invalid_argument("this is no PNG");
+  writeBigEndian(width, png.data() + kWidth), writeBigEndian(height, png.data() + kHeight);
   checksumChunk(png, kHeader);
   return png;
 }
