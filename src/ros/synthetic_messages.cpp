@@ -6,19 +6,14 @@
 #include <tf2_eigen/tf2_eigen.h>
 
 #include <boost/make_shared.hpp>
-#include <cmath>
 #include <cstring>
-#include <limits>
+
+#include "synthetic/millimetres.h"
 
 namespace primitect::ros_layer {
 namespace {
 
 constexpr std::uint32_t kPointStep = 16;
-
-std::uint16_t millimetres(float depth) {
-  const float rounded = std::round(1000.0f * depth);
-  return rounded >= 1.0f && rounded <= 65535.0f ? static_cast<std::uint16_t>(rounded) : 0;
-}
 
 }  // namespace
 
@@ -67,7 +62,7 @@ sensor_msgs::ImagePtr depthImage(const std_msgs::Header& header, const std::vect
     return message;
   }
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    const std::uint16_t value = millimetres(depth[i]);
+    const std::uint16_t value = synthetic::millimetres(depth[i]);
     std::memcpy(message->data.data() + i * sizeof value, &value, sizeof value);
   }
   return message;

@@ -3,7 +3,6 @@
 // The simulated camera's first frame, as a file.
 #include "tools/example_frame.h"
 
-#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "io/png_image.h"
 #include "io/point_files.h"
 #include "synthetic/frame.h"
+#include "synthetic/millimetres.h"
 #include "synthetic/tabletop.h"
 #include "tools/format.h"
 
@@ -31,11 +31,8 @@ void writePcdOf(const std::string& path, const synthetic::PinholeCamera& camera)
 }
 
 void writeDepthsOf(const std::string& path, const synthetic::PinholeCamera& camera) {
-  constexpr float kUnits = 1000.0f;  // in a metre
   io::DepthPixels image = {static_cast<std::uint32_t>(camera.width), static_cast<std::uint32_t>(camera.height), {}};
-  for (const float depth : depthsOfExample(camera)) {
-    image.values.push_back(std::isfinite(depth) ? static_cast<std::uint16_t>(std::lround(kUnits * depth)) : 0);
-  }
+  for (const float depth : depthsOfExample(camera)) image.values.push_back(synthetic::millimetres(depth));
   try {
     io::writeDepthPng(path, image);
   } catch (const io::PngError& error) {
