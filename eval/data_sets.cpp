@@ -134,6 +134,7 @@ std::vector<std::string> dataSetNames() {
   names.push_back("small");
   names.push_back("tabletop");
   names.push_back("clutter");
+  names.push_back("household");
   names.push_back("heap");
   names.push_back("hall");
   names.push_back("objects");

@@ -16,6 +16,7 @@ namespace primitect::eval {
 /// "tabletop": a cluttered table as a depth camera sees it, 640 x 480, without normals; scored without noise.
 /// "clutter": such frames without any sphere, cylinder or cone: boxes, ellipsoids, tori, lumps, folded cloth, cables,
 /// plants, hands. Whatever curved shape is found there is a false alarm.
+/// "household": a table with things of several parts: jars, bottles, piled cans and books; scored as "tabletop".
 /// "heap": 12 to 28 things in all poses upon and before one another, seen and scored as "tabletop".
 /// "hall": traffic cones, balls, bins, pillars, tubes, crates on the floor, many cut by the image's border, as a robot
 /// sees them that drives among them; scored as "tabletop".

@@ -170,6 +170,7 @@ View viewOf(const Recipe& recipe) {
   if (recipe.set == "hall") return {synthetic::hall(recipe.seed), camera, synthetic::hallPose(recipe.seed)};
   const Eigen::Isometry3d pose = synthetic::clutterPose(recipe.seed);
   if (recipe.set == "heap") return {synthetic::heap(recipe.seed), camera, pose};
+  if (recipe.set == "household") return {synthetic::householdTable(recipe.seed), camera, pose};
   if (recipe.set == "clutter") return {synthetic::shapelessTable(recipe.seed), camera, pose};
   return {synthetic::clutteredTable(recipe.seed), camera, pose};
 }

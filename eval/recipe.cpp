@@ -31,7 +31,7 @@ void checkUnused(bool used, const Recipe& recipe, const std::string& name, doubl
 }  // namespace
 
 bool isDepthFrame(const std::string& set) {
-  return set == "tabletop" || set == "clutter" || set == "heap" || set == "hall";
+  return set == "tabletop" || set == "clutter" || set == "household" || set == "heap" || set == "hall";
 }
 
 UsedBySet usedBySet(const std::string& set) {

@@ -68,6 +68,7 @@ def tabletop_rows():
     yield Row(section, "nothing but clutter", Recipe("clutter"), "all", (Target(FALSE_CURVED, most=0.3),))
     yield Row(section, "heaps of things in all poses", Recipe("heap"), "all", precision_and_recall(98.0, 97.0))
     yield Row(section, "halls: large things, many cut by the border", Recipe("hall"), "all", ())
+    yield Row(section, "things of several parts: jars, piled cans and books", Recipe("household"), "all", ())
 
 
 def variant_rows():

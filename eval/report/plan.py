@@ -139,7 +139,7 @@ def keys_of(experiment, first_seed, method):
 
 def seconds_of(recipe, methods, repeat):
     """What one cloud takes, roughly."""
-    small = 0.2 if recipe.set in ("parts", "tabletop", "clutter", "heap", "hall", "objects") else 1.0
+    small = 0.2 if recipe.set in ("parts", "tabletop", "clutter", "household", "heap", "hall", "objects") else 1.0
     each = [SECONDS.get(method.split("=")[0].split(":")[0], 0.2) for method in methods]
     return small + repeat * sum(each) * (0.5 if small < 1.0 else 1.0)
 

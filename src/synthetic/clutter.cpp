@@ -10,6 +10,7 @@
 
 #include "core/random.h"
 #include "synthetic/clutter_objects.h"
+#include "synthetic/household_objects.h"
 #include "synthetic/poses.h"
 #include "synthetic/room.h"
 #include "synthetic/scene_layout.h"
@@ -86,6 +87,11 @@ World clutteredTable(std::uint64_t seed) {
 World shapelessTable(std::uint64_t seed) {
   Random random((2 * seed) ^ 0x736f6674U);
   return furnished(drawSoftPiles, seed, random);
+}
+
+World householdTable(std::uint64_t seed) {
+  Random random((2 * seed) ^ 0x686f6d65U);
+  return furnished(drawHouseholdPiles, seed, random);
 }
 
 Eigen::Isometry3d clutterPose(std::uint64_t seed) {

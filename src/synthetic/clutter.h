@@ -21,6 +21,12 @@ World clutteredTable(std::uint64_t seed);
 /// tori and lumps, and 3 to 5 of folded cloths, cables, plants in boxes and hands ("cloth", "cable", "leaf", "hand").
 World shapelessTable(std::uint64_t seed);
 
+/// The same room and table with 6 to 11 things of a household, two in three of them of several parts: jars, bottles and
+/// spray cans with shoulder and lid, standing or lying, flower pots with a rim, tins with a lid, piled cans, each wider
+/// or narrower than the one below by 4 mm or more, piled books, and mugs with a handle (Surface::primitive is false).
+/// The others are a ball, cylinder, cup, bowl, cone, pot or box each. None is without a shape.
+World householdTable(std::uint64_t seed);
+
 /// world_from_camera (optical frame): 0.8 to 1.3 m from the middle of the things, 25 to 55 deg from above, any side
 /// within 50 deg, rolled by up to 5 deg. Objects may reach out of the image.
 Eigen::Isometry3d clutterPose(std::uint64_t seed);

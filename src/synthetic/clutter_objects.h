@@ -10,7 +10,7 @@
 
 namespace primitect::synthetic {
 
-/// Things that stand together: [0] on the table, its stadium holds all of them; a further one on top of it.
+/// Things, or parts of one, that stand or lie together: [0] on the table, its stadium holds all of them.
 using Pile = std::vector<Object>;
 
 /// One thing that is none of the four kinds: ellipsoid, torus or lump.
