@@ -24,7 +24,7 @@ STEPS = (
     Step("segment", "fits of the four kinds to candidates", ("Proposer::propose",)),
     Step("segment", "what is known already against new samples", ("Verification::addSamples",)),
     Step("look closer", "fits again", ("Verification::refit", "Verification::joinFacets")),
-    Step("look closer", "tops taken apart", ("Verification::separate",)),
+    Step("look closer", "tops and tubes taken apart", ("Verification::separate",)),
     Step("look closer", "evidence, rivals, confidence", ("Verification::assess",)),
     Step("look closer", "choice of what explains the samples best", (
         "selectHypotheses", "selectAgain", "Verification::select", "Verification::conclude")),

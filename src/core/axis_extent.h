@@ -3,6 +3,8 @@
 // The part of a cylinder or a cone that was seen.
 #pragma once
 
+#include <optional>
+
 #include "core/seen_points.h"
 #include "primitect/primitives.h"
 
@@ -10,6 +12,13 @@ namespace primitect {
 
 /// Cylinders and cones: the extent has a length along z, and two ends.
 inline bool hasAxis(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone; }
+
+/// Direction of the axis of a cylinder or a cone; nothing of other kinds.
+inline std::optional<Vec3> axisOf(const Shape& shape) {
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->axis;
+  if (const Cone* cone = std::get_if<Cone>(&shape)) return cone->axis;
+  return std::nullopt;
+}
 
 /// How far the ends of an axis go: without_stragglers leaves the outer 1 % of the points at either end out. to_the_end
 /// goes on from there by as much surface as the next 1 % cover, but not beyond the outermost point; stragglers stretch

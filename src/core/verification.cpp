@@ -33,7 +33,7 @@ void Verification::begin(const FrameScale& scale) {
   pool_.clear();
   selection_ = {};
   segments_.clear();
-  whole_planes_.clear();
+  wholes_.clear();
   refusals_ = {};
 }
 

@@ -67,9 +67,10 @@ class Verification {
   /// Whether the image shows a cylinder or cone where its samples say that it is.
   using IsSeen = std::function<bool(const Segment&)>;
 
-  /// Selects anew, fits what was selected again, takes tops of nearly one height apart, and then refuses what is not
-  /// likely enough, or not seen; its samples may serve others. No is_seen, or any confidence will do: all are. Then
-  /// large planes of a depth camera that are less even than the rest are added (uneven_planes.h).
+  /// Selects anew, fits what was selected again, takes apart what leads over tops of nearly one height or tubes of
+  /// several radii, and then refuses what is not likely enough, or not seen; its samples may serve others. No is_seen,
+  /// or any confidence will do: all are. Then large planes of a depth camera that are less even than the rest are added
+  /// (uneven_planes.h).
   void conclude(const IsSeen& is_seen = nullptr);
 
   /// What samples may stray.
@@ -95,10 +96,18 @@ class Verification {
   double largestRadius() const;  ///< m, of a shape
 
  private:
-  /// Samples that one plane fits, as far as this level tells.
-  struct WholePlane {
+  /// A segment that is not of several things; a plane is none as far as this level tells.
+  struct Whole {
+    Kind kind;
     List<std::uint32_t> inliers;
     std::optional<Vec3> level;
+  };
+
+  /// Samples of a segment (rising indices) and the shape that they have alone.
+  struct Part {
+    List<std::uint32_t> samples;
+    Hypothesis hypothesis;
+    double worth;  ///< gains at these samples less the shape's price
   };
 
   /// How many samples a shape needs at least.
@@ -119,8 +128,15 @@ class Verification {
   void split(const Segment& segment, const HeldGains& held);
   void settle();
   bool separate();
-  bool separate(const Segment& segment, const HeldGains& held);
-  bool isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const;
+  bool separateTops(const Segment& segment, const HeldGains& held);
+  bool separateSteps(const Segment& segment, const HeldGains& held);
+  std::optional<Part> partOf(List<std::uint32_t> samples, const Segment& segment, const HeldGains& held);
+  List<Part> stepsOf(const Shape& shape, const List<std::uint32_t>& samples, int depth, const Segment& segment,
+                     const HeldGains& held);
+  void rejoin(const Segment& segment, const HeldGains& held, List<Part>& parts);
+  std::optional<Hypothesis> alone(const List<std::uint32_t>& part, const List<std::uint32_t>& others,
+                                  const Segment& segment, const HeldGains& held);
+  bool isWhole(const Segment& segment, const std::optional<Vec3>& level) const;
   double standingOf(const Segment& segment) const;
   void countDraws(Segment& segment) const;
   void assess(Segment& segment, const HeldGains& held);
@@ -142,7 +158,7 @@ class Verification {
   List<Hypothesis> pool_;
   Selection selection_;
   List<Segment> segments_;
-  List<WholePlane> whole_planes_;  ///< found so while this frame is concluded; most are asked about several times
+  List<Whole> wholes_;  ///< found while this frame is concluded; most are asked about several times
   Refusals refusals_;
 };
 

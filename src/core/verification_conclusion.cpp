@@ -152,9 +152,9 @@ void Verification::assess() {
   }
 }
 
-/// Planes apart, and how likely everything is.
+/// Planes and tubes apart, and how likely everything is.
 void Verification::settle() {
-  constexpr int kTimes = 3;  // what takes the place of one plane may be another of that sort
+  constexpr int kTimes = 3;  // what takes the place of one may be another of that sort
   for (int time = 0; time < kTimes && separate(); ++time) selectAgain();
   assess();
 }

@@ -32,20 +32,15 @@ std::optional<Vec3> Verification::levelOf(const Segment& plane) const {
   return level;
 }
 
-bool Verification::isWhole(const List<std::uint32_t>& inliers, const std::optional<Vec3>& level) const {
-  return std::any_of(whole_planes_.begin(), whole_planes_.end(),
-                     [&](const WholePlane& plane) { return plane.inliers == inliers && plane.level == level; });
-}
-
-bool Verification::separate(const Segment& segment, const HeldGains& held) {
+bool Verification::separateTops(const Segment& segment, const HeldGains& held) {
   // In parts, what things stand on is one plane all the same.
   if (maySupport(segment)) return false;
   const std::optional<Vec3> level = levelOf(segment);
-  if (isWhole(segment.inliers, level)) return false;
+  if (isWhole(segment, level)) return false;
   const SampleParts parts = separateParts(segment.inliers, needed(), graph_);
   const SampleParts groups = coplanarGroups(samples_, parts, level);
   if (groups.size() < 2) {
-    whole_planes_.push_back({segment.inliers, level});
+    wholes_.push_back({Kind::plane, segment.inliers, level});
     return false;
   }
   const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
@@ -57,14 +52,8 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
       if (&other != &group) others.insert(others.end(), other.begin(), other.end());
     }
     std::sort(others.begin(), others.end());
-    // What belongs to the other groups neither speaks against it nor is its own.
-    HeldGains held_by_others = held;
-    for (const std::uint32_t i : segment.inliers) held_by_others[i] = 0.0f;
-    for (const std::uint32_t i : others) held_by_others[i] = 1.0f;
-    Hypothesis alone = pool_[segment.hypothesis];
-    if (bestOfKinds(samples_, held_by_others, group, rules(), alone)) {
-      withhold(others, alone);
-      apart.push_back(std::move(alone));
+    if (std::optional<Hypothesis> top = alone(group, others, segment, held)) {
+      apart.push_back(std::move(*top));
     } else if (&group == &largest) {
       return false;  // of a smaller one nothing is left, but it tilts the others no longer
     }
@@ -72,16 +61,6 @@ bool Verification::separate(const Segment& segment, const HeldGains& held) {
   silence(pool_[segment.hypothesis]);
   std::move(apart.begin(), apart.end(), std::back_inserter(pool_));
   return true;
-}
-
-/// Tops of things of nearly the same height that a plane leads over become planes of their own.
-bool Verification::separate() {
-  const HeldGains held = heldByChosen();
-  bool any = false;
-  for (const Segment& segment : segments_) {
-    if (kindOf(segment.candidate.shape) == Kind::plane && separate(segment, held)) any = true;
-  }
-  return any;
 }
 
 }  // namespace primitect
