@@ -35,8 +35,10 @@ def mix():
     yield Recipe("clutter"), ALL, FULL
     yield Recipe("clutter"), ALL_BOTH, FEW
     yield Recipe("tabletop", noise_scale=2.0), ALL, FEW
+    # What is made of several parts: a part's end is no flaw of it.
+    yield Recipe("household"), ALL, SOME
     # The noise of recorded frames is shared by some pixels, and up to so much more than the usual.
-    for name in ("tabletop", "clutter", "heap", "hall"):
+    for name in ("tabletop", "clutter", "household", "heap", "hall"):
         yield Recipe(name, noise_grain=5), ALL, SOME
         yield Recipe(name, noise_scale=1.5, noise_grain=5), ALL, FEW
     yield Recipe("tabletop", sensor="stereo"), ALL, FEW
