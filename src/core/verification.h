@@ -134,6 +134,7 @@ class Verification {
   List<Part> stepsOf(const Shape& shape, const List<std::uint32_t>& samples, int depth, const Segment& segment,
                      const HeldGains& held);
   void rejoin(const Segment& segment, const HeldGains& held, List<Part>& parts);
+  bool mayBeLikely(const List<Part>& parts, const HeldGains& held) const;
   std::optional<Hypothesis> alone(const List<std::uint32_t>& part, const List<std::uint32_t>& others,
                                   const Segment& segment, const HeldGains& held);
   bool isWhole(const Segment& segment, const std::optional<Vec3>& level) const;

@@ -10,6 +10,7 @@
 
 #include "core/axis_extent.h"
 #include "core/axis_steps.h"
+#include "core/evidence.h"
 #include "core/verification.h"
 
 namespace primitect {
@@ -95,6 +96,31 @@ void Verification::rejoin(const Segment& segment, const HeldGains& held, List<Pa
   }
 }
 
+/// Whether each of the parts may be likely with the others beside it: if one will be refused, its samples speak against
+/// the next, and nothing would be left of a pile that one tube leads over. What they stand on is not known yet: that
+/// they stand is assumed.
+bool Verification::mayBeLikely(const List<Part>& parts, const HeldGains& held) const {
+  const auto number = [](std::size_t k) { return static_cast<std::uint32_t>(kNobody - 1 - k); };  // nobody else's
+  List<std::uint32_t> owner(selection_.owner);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (const std::uint32_t i : parts[k].samples) owner[i] = number(k);
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Hypothesis& hypothesis = parts[k].hypothesis;
+    Segment segment;
+    segment.inliers = parts[k].samples;
+    segment.evidence = gatherEvidence(samples_, graph_, owner, number(k), hypothesis);
+    countDraws(segment);
+    segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
+    segment.evidence.stands = 1.0f;
+    const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
+    segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
+    segment.confidence = confidenceOf(kindOf(hypothesis.shape), segment.evidence);
+    if (isUnlikely(segment)) return false;
+  }
+  return true;
+}
+
 bool Verification::separateSteps(const Segment& segment, const HeldGains& held) {
   constexpr int kDepth = 3;  // steps in steps: up to eight things on each other
   if (isWhole(segment, std::nullopt)) return false;
@@ -103,7 +129,8 @@ bool Verification::separateSteps(const Segment& segment, const HeldGains& held) 
   double worth = 0.0;
   for (const Part& part : parts) worth += part.worth;
   const double whole = worthAt(segment.inliers, pool_[segment.hypothesis]);
-  if (parts.size() < 2 || !clearlyMore(worth, whole, segment.inliers.size())) {
+  const bool more = parts.size() > 1 && clearlyMore(worth, whole, segment.inliers.size());
+  if (!more || !mayBeLikely(parts, held)) {
     wholes_.push_back({kindOf(segment.candidate.shape), segment.inliers, std::nullopt});
     return false;
   }
