@@ -5,7 +5,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from report import logistic
+from report import logistic, trust
 from report.kinds import KINDS
 from report.plan import Experiment, Recipe
 from report.tables import Table, cell
@@ -38,7 +38,7 @@ def mix():
     # What is made of several parts: a part's end is no flaw of it.
     yield Recipe("household"), ALL, SOME
     # The noise of recorded frames is shared by some pixels, and up to so much more than the usual.
-    for name in ("tabletop", "clutter", "household", "heap", "hall"):
+    for name in trust.FRAMES:
         yield Recipe(name, noise_grain=5), ALL, SOME
         yield Recipe(name, noise_scale=1.5, noise_grain=5), ALL, FEW
     yield Recipe("tabletop", sensor="stereo"), ALL, FEW

@@ -7,6 +7,8 @@ were not; of the latter only the truth, without any detector, was looked at, to 
 """
 from collections import namedtuple
 
+from report import trust
+
 LOOKED_AT = ((1, 99), (300, 303), (500, 539), (2000, 2099), (4000, 4039))  # first and last
 FIRST_SEED = {"quick": 100, "full": 1000}
 PARTS = ("paper", "noise", "variants", "tabletop", "parts", "runtime", "samples", "pictures")
@@ -139,7 +141,7 @@ def keys_of(experiment, first_seed, method):
 
 def seconds_of(recipe, methods, repeat):
     """What one cloud takes, roughly."""
-    small = 0.2 if recipe.set in ("parts", "tabletop", "clutter", "household", "heap", "hall", "objects") else 1.0
+    small = 0.2 if recipe.set in trust.FRAMES + ("parts", "objects") else 1.0
     each = [SECONDS.get(method.split("=")[0].split(":")[0], 0.2) for method in methods]
     return small + repeat * sum(each) * (0.5 if small < 1.0 else 1.0)
 

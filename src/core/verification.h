@@ -140,6 +140,8 @@ class Verification {
   bool isWhole(const Segment& segment, const std::optional<Vec3>& level) const;
   double standingOf(const Segment& segment) const;
   void countDraws(Segment& segment) const;
+  void judge(const Hypothesis& hypothesis, const List<std::uint32_t>& owner, std::uint32_t self, double stands,
+             const HeldGains& held, Segment& segment) const;
   void assess(Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();

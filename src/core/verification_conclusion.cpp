@@ -127,19 +127,27 @@ void Verification::countDraws(Segment& segment) const {
   segment.evidence.inliers += static_cast<float>((weight_ - 1.0) * later);
 }
 
-void Verification::assess(Segment& segment, const HeldGains& held) {
-  const Hypothesis& hypothesis = pool_[segment.hypothesis];
+/// Evidence, rival and confidence of a segment that is this hypothesis, with these owners of the samples. stands: what
+/// standingOf() says.
+void Verification::judge(const Hypothesis& hypothesis, const List<std::uint32_t>& owner, std::uint32_t self,
+                         double stands, const HeldGains& held, Segment& segment) const {
   const Kind kind = kindOf(hypothesis.shape);
-  segment.evidence = gatherEvidence(samples_, graph_, selection_.owner, segment.hypothesis, hypothesis);
+  segment.evidence = gatherEvidence(samples_, graph_, owner, self, hypothesis);
   countDraws(segment);
   segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
   if (kind != Kind::plane) {
     const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
     segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
     segment.rival = rival.kind;
-    segment.evidence.stands = static_cast<float>(standingOf(segment));
+    segment.evidence.stands = static_cast<float>(stands);
   }
   segment.confidence = confidenceOf(kind, segment.evidence);
+}
+
+void Verification::assess(Segment& segment, const HeldGains& held) {
+  const Hypothesis& hypothesis = pool_[segment.hypothesis];
+  const double stands = kindOf(hypothesis.shape) == Kind::plane ? 0.0 : standingOf(segment);
+  judge(hypothesis, selection_.owner, segment.hypothesis, stands, held, segment);
 }
 
 /// Planes first: others may stand on them.

@@ -106,16 +106,10 @@ bool Verification::mayBeLikely(const List<Part>& parts, const HeldGains& held) c
     for (const std::uint32_t i : parts[k].samples) owner[i] = number(k);
   }
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Hypothesis& hypothesis = parts[k].hypothesis;
+    constexpr double kStands = 1.0;
     Segment segment;
     segment.inliers = parts[k].samples;
-    segment.evidence = gatherEvidence(samples_, graph_, owner, number(k), hypothesis);
-    countDraws(segment);
-    segment.evidence.own_noise = noise_.ofDepthCamera() ? 0.0f : 1.0f;
-    segment.evidence.stands = 1.0f;
-    const Rival rival = bestRival(samples_, held, segment.inliers, rules(), hypothesis);
-    segment.evidence.lead = static_cast<float>(std::min(1.0, rival.lead));
-    segment.confidence = confidenceOf(kindOf(hypothesis.shape), segment.evidence);
+    judge(parts[k].hypothesis, owner, number(k), kStands, held, segment);
     if (isUnlikely(segment)) return false;
   }
   return true;
@@ -128,9 +122,10 @@ bool Verification::separateSteps(const Segment& segment, const HeldGains& held) 
   if (parts.size() > 1) rejoin(segment, held, parts);
   double worth = 0.0;
   for (const Part& part : parts) worth += part.worth;
-  const double whole = worthAt(segment.inliers, pool_[segment.hypothesis]);
-  const bool more = parts.size() > 1 && clearlyMore(worth, whole, segment.inliers.size());
-  if (!more || !mayBeLikely(parts, held)) {
+  const auto more = [&] {
+    return clearlyMore(worth, worthAt(segment.inliers, pool_[segment.hypothesis]), segment.inliers.size());
+  };
+  if (parts.size() < 2 || !more() || !mayBeLikely(parts, held)) {
     wholes_.push_back({kindOf(segment.candidate.shape), segment.inliers, std::nullopt});
     return false;
   }
