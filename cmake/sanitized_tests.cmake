@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Which tests run with sanitizers, and how: with PRIMITECT_TESTS_FROM they are those of that build, run with the sanitized
 # libraries of this one. Their own code and main() of the programs go unchecked, with what the compiler takes from headers
-# into them, and where libraries reach beyond their local and static objects; what lies on the heap does not.
+# into them, and where libraries reach beyond their local and static objects; what lies on the heap does not. The simulated
+# camera (src/synthetic) and eval are left to a build with PRIMITECT_SANITIZE alone, which checks all there is without ROS.
 
 # Whole data sets, the same frames over and over, and a program started dozens of times take minutes under sanitizers; their
 # parts have tests of their own, and detect_program starts the program, too.
