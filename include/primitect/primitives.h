@@ -147,10 +147,14 @@ const char* statusName(Status status);
 /// Why shapes that were tried did not come out.
 enum class Refusal : std::uint8_t {
   few_inliers,  ///< fewer than min_inliers samples around a candidate fit
-  limits,       ///< a fit broke a limit: radius, half angle, or a plane in which the sensor lies
+  too_large,    ///< a fit's radius is above max_radius or what samples of such a scene can tell: mostly a plane
+  too_small,    ///< a fit's radius is below min_radius or what the noise lets tell from an edge; what is left is a line
+  half_angle,   ///< a fit is a cone sharper than min_half_angle_deg or flatter than max_half_angle_deg
+  edge_on,      ///< a fit is a plane in which the sensor lies
   unlikely,     ///< less than min_confidence
+  not_seen,     ///< a tube or a cone that the image shows in tatters
 };
-constexpr std::size_t kRefusalCount = 3;
+constexpr std::size_t kRefusalCount = 7;
 
 /// "few inliers", ...
 const char* refusalName(Refusal refusal);
@@ -160,6 +164,10 @@ struct Refusals {
   std::array<std::uint32_t, kRefusalCount> counts = {};
   std::uint32_t& operator[](Refusal refusal) { return counts[static_cast<std::size_t>(refusal)]; }
   std::uint32_t operator[](Refusal refusal) const { return counts[static_cast<std::size_t>(refusal)]; }
+  Refusals& operator+=(const Refusals& others) {
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += others.counts[i];
+    return *this;
+  }
 };
 
 /// All that was found in one frame.

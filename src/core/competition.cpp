@@ -103,9 +103,8 @@ class Fits {
     trial_.reach = beyond(rules.noise) * points_.reach();
   }
 
-  /// From its own start and those of all kinds; returns how many ended beyond the limits. Once its own has led
-  /// somewhere, no other of its kind and side is tried.
-  int from(const Start& own, Tried tried) { return fromAll(own, false, tried); }
+  /// From its own start and those of all kinds. Once its own has led somewhere, no other of its kind and side is tried.
+  void from(const Start& own, Tried tried) { fromAll(own, false, tried); }
 
   /// The same where its own is fitted to these samples: others compete with it as it is. Returns its score.
   double beside(const Start& own, Tried tried) {
@@ -117,10 +116,12 @@ class Fits {
     return score;
   }
 
+  /// What ended beyond the limits.
+  const Refusals& refusals() const { return refusals_; }
+
  private:
   /// own_holds: its own led somewhere already.
-  int fromAll(const Start& own, bool own_holds, Tried tried) {
-    int refused = 0;
+  void fromAll(const Start& own, bool own_holds, Tried tried) {
     tried_ = tried;
     const auto like_own = [&own](const Start& s) {
       return kindOf(s.shape) == kindOf(own.shape) && s.concave == own.concave;
@@ -128,14 +129,12 @@ class Fits {
     for (const Start& start : startsFor(own, moments_, points_.meanSigma(), rules_)) {
       if (own_holds && like_own(start)) continue;
       if (tried != Tried::all && !promises(start)) continue;
-      const std::optional<bool> holds = fit(start);
-      own_holds = own_holds || (like_own(start) && holds.value_or(false));
-      if (holds && !*holds && enabled(kindOf(start.shape), rules_.limits.params)) ++refused;
+      const bool holds = fit(start);
+      own_holds = own_holds || (like_own(start) && holds);
     }
     if (best_cylinder_) {
       fit({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
     }
-    return refused;
   }
 
   /// A start that agrees much worse with the samples than a fit before it that holds will not get there; what moments
@@ -155,8 +154,8 @@ class Fits {
     return agreed >= kLeast * best_agreement_;
   }
 
-  /// Whether the fit ends within the limits; nothing when it fails.
-  std::optional<bool> fit(const Start& start) {
+  /// Whether the fit ends, within the limits.
+  bool fit(const Start& start) {
     // Two steps with the tolerance that gathered the samples, so that a poor start is not left where it is; the last
     // one is far below what few samples can tell: with .06 rivals end too early to tell clutter from cones. More than
     // six find nothing else. Without the two for what is fitted already, and with reach(), 2 % of a tabletop's
@@ -165,13 +164,15 @@ class Fits {
     const int wide_steps = start.fitted ? 0 : 2;
     const std::optional<Shape> shape =
         refine(start.shape, points_, {rules_.widen, wide_steps, 6, kSmallStep / kInlierDeviations});
-    if (!shape) return std::nullopt;
+    if (!shape) return false;
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
     const FittedSamples samples = {moments_, points_.meanSigma(), rules_.noise, rules_.fitted_normals};
-    if (!rules_.limits.hold(*shape) || isIndistinct(*shape, samples)) return false;
-    // It is a rival all the same.
-    if (tried_ == Tried::to_win && mayBeRing(*shape, samples)) return false;
+    if (!enabled(kindOf(*shape), rules_.limits.params)) return false;
+    if (const std::optional<Refusal> refusal = refusalOf(*shape, samples)) {
+      ++refusals_[*refusal];
+      return false;
+    }
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);
     judge(*shape, start.concave);
@@ -180,6 +181,13 @@ class Fits {
       if (by_normals) judge(*by_normals, start.concave);
     }
     return true;
+  }
+
+  std::optional<Refusal> refusalOf(const Shape& shape, const FittedSamples& samples) const {
+    if (const auto broken = rules_.limits.brokenBy(shape)) return broken;
+    if (const auto indistinct = whyIndistinct(shape, samples)) return indistinct;
+    const bool refused = tried_ == Tried::to_win && mayBeRing(shape, samples);  // it is a rival all the same
+    return refused ? std::optional<Refusal>(Refusal::too_small) : std::nullopt;
   }
 
   void judge(const Shape& shape, bool concave) {
@@ -206,18 +214,22 @@ class Fits {
   Hypothesis trial_;
   NearGains near_;
   Tried tried_ = Tried::all;
+  Refusals refusals_;
   std::optional<Start> best_cylinder_;
   double best_agreement_ = 0.0, agreement_of_cylinder_ = 0.0;
 };
 
 }  // namespace
 
-bool Limits::hold(const Shape& shape) const {
-  if (isSharper(shape, min_half_angle_deg)) return false;
+std::optional<Refusal> Limits::brokenBy(const Shape& shape) const {
+  if (isSharper(shape, min_half_angle_deg)) return Refusal::half_angle;
   const Plane* plane = std::get_if<Plane>(&shape);
-  if (plane && std::abs(plane->normal.dot(plane->point)) < min_distance) return false;
-  return enabled(kindOf(shape), params) && withinLimits(shape, params) && radiusOf(shape).value_or(0.0) <= max_radius;
+  if (plane && std::abs(plane->normal.dot(plane->point)) < min_distance) return Refusal::edge_on;
+  if (!(radiusOf(shape).value_or(0.0) <= max_radius)) return Refusal::too_large;
+  return brokenLimit(shape, params);
 }
+
+bool Limits::hold(const Shape& shape) const { return enabled(kindOf(shape), params) && !brokenBy(shape); }
 
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {
@@ -235,9 +247,9 @@ bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::
     hypothesis.inliers = trial.inliers;
     std::swap(near, near_best);
   };
-  const int refused =
-      Fits(samples, held, set, rules, take).from({hypothesis.shape, hypothesis.concave, rules.fitted}, Tried::to_win);
-  if (refusals) (*refusals)[Refusal::limits] += refused;
+  Fits fits(samples, held, set, rules, take);
+  fits.from({hypothesis.shape, hypothesis.concave, rules.fitted}, Tried::to_win);
+  if (refusals) *refusals += fits.refusals();
   if (best > 0.0) fillSupport(samples, near_best, hypothesis);
   return best > 0.0;
 }

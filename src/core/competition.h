@@ -21,6 +21,9 @@ struct Limits {
   double min_half_angle_deg = 0.0;  ///< besides params.min_half_angle_deg
   double min_distance = 0.0;        ///< m, of planes from the origin: a sensor sees none that it lies in
 
+  /// The limit that a shape breaks, of whatever kind.
+  std::optional<Refusal> brokenBy(const Shape& shape) const;
+  /// It is of a kind that is wanted, too.
   bool hold(const Shape& shape) const;
 };
 
@@ -39,7 +42,7 @@ struct ProposalRules {
 };
 
 /// The best of all kinds for these samples, as far as their moments promise any; false when none is within the limits
-/// or better than nothing.
+/// or better than nothing. refusals: the fits that ended beyond the limits are added.
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals = nullptr);
 

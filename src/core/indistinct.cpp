@@ -42,8 +42,9 @@ bool isEdgeOn(const Shape& shape, const FittedSamples& samples) {
 
 }  // namespace
 
-bool isIndistinct(const Shape& shape, const FittedSamples& samples) {
-  return isThin(shape, samples) || isEdgeOn(shape, samples);
+std::optional<Refusal> whyIndistinct(const Shape& shape, const FittedSamples& samples) {
+  if (isThin(shape, samples)) return Refusal::too_small;
+  return isEdgeOn(shape, samples) ? std::optional<Refusal>(Refusal::edge_on) : std::nullopt;
 }
 
 bool mayBeRing(const Shape& shape, const FittedSamples& samples) {

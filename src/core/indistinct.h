@@ -3,6 +3,8 @@
 // Shapes that samples cannot tell from something else that is there more often.
 #pragma once
 
+#include <optional>
+
 #include "core/fitting.h"
 #include "core/noise.h"
 #include "primitect/primitives.h"
@@ -17,9 +19,9 @@ struct FittedSamples {
   bool fitted_normals;  ///< normals are those of many points each
 };
 
-/// A tube or a cone as thin as the edge of a table looks that a depth camera, or how normals are fitted, has rounded;
-/// a plane through the camera, which sees it as one row or column of pixels.
-bool isIndistinct(const Shape& shape, const FittedSamples& samples);
+/// too_small: a tube or a cone as thin as the edge of a table looks that a depth camera, or how normals are fitted, has
+/// rounded; edge_on: a plane through the camera, which sees it as one row or column of pixels. Nothing of others.
+std::optional<Refusal> whyIndistinct(const Shape& shape, const FittedSamples& samples);
 
 /// A band of a ball so narrow that noise hides how it curves across. The rim of a pot looks the same, as the normals
 /// from windows wider than the rim turn away at its edges. Only of depth cameras.

@@ -51,7 +51,8 @@ const char* statusName(Status status) {
 }
 
 const char* refusalName(Refusal refusal) {
-  constexpr const char* kNames[] = {"few inliers", "limits", "unlikely"};
+  constexpr const char* kNames[] = {"few inliers", "too large", "too small", "half angle",
+                                    "edge-on",     "unlikely",  "not seen"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

@@ -37,14 +37,18 @@ std::optional<double> radiusOf(const Shape& shape) {
   return std::nullopt;
 }
 
-bool withinLimits(const Shape& shape, const Params& params) {
+std::optional<Refusal> brokenLimit(const Shape& shape, const Params& params) {
   if (const auto radius = radiusOf(shape)) {
-    return params.min_radius <= *radius && (params.max_radius <= 0.0 || *radius <= params.max_radius);
+    if (!(params.min_radius <= *radius)) return Refusal::too_small;
+    if (params.max_radius > 0.0 && !(*radius <= params.max_radius)) return Refusal::too_large;
   }
   const Cone* cone = std::get_if<Cone>(&shape);
-  return !cone || (params.min_half_angle_deg * kDegree <= cone->half_angle &&
-                   cone->half_angle <= params.max_half_angle_deg * kDegree);
+  const bool in_range = !cone || (params.min_half_angle_deg * kDegree <= cone->half_angle &&
+                                  cone->half_angle <= params.max_half_angle_deg * kDegree);
+  return in_range ? std::nullopt : std::optional<Refusal>(Refusal::half_angle);
 }
+
+bool withinLimits(const Shape& shape, const Params& params) { return !brokenLimit(shape, params); }
 
 bool isSharper(const Shape& shape, double half_angle_deg) {
   const Cone* cone = std::get_if<Cone>(&shape);

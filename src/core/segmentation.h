@@ -38,7 +38,8 @@ void assignSamples(const Samples& samples, const Params& params, const Tolerance
 /// Of spheres and cylinders (m).
 std::optional<double> radiusOf(const Shape& shape);
 
-/// The shape's size is within the limits of params.
+/// Which limit of params the shape's radius or half angle breaks, if any.
+std::optional<Refusal> brokenLimit(const Shape& shape, const Params& params);
 bool withinLimits(const Shape& shape, const Params& params);
 
 /// A cone with a smaller half angle than this.

@@ -146,7 +146,7 @@ class Verification {
   void assess();
   bool refuseUnlikely();
   bool refuseUnseen(const IsSeen& is_seen);
-  void refuse(const Segment& segment);
+  void refuse(const Segment& segment, Refusal why);
   void addUnevenPlanes();
   HeldGains heldByChosen() const;
 

@@ -167,16 +167,16 @@ void Verification::settle() {
   assess();
 }
 
-void Verification::refuse(const Segment& segment) {
+void Verification::refuse(const Segment& segment, Refusal why) {
   silence(pool_[segment.hypothesis]);
-  ++refusals_[Refusal::unlikely];
+  ++refusals_[why];
 }
 
 bool Verification::refuseUnlikely() {
   bool any = false;
   for (const Segment& segment : segments_) {
     if (!isUnlikely(segment)) continue;
-    refuse(segment);
+    refuse(segment, Refusal::unlikely);
     any = true;
   }
   return any;
@@ -189,7 +189,7 @@ bool Verification::refuseUnseen(const IsSeen& is_seen) {
   for (Segment& segment : segments_) {
     if (!hasAxis(kindOf(segment.candidate.shape)) || is_seen(segment)) continue;
     segment.confidence = 0.0;
-    refuse(segment);
+    refuse(segment, Refusal::not_seen);
     any = true;
   }
   return any;
@@ -233,7 +233,9 @@ void Verification::conclude(const IsSeen& is_seen) {
   }
   // What took the place of the last ones refused may be unlikely, too.
   const auto unlikely = [this](const Segment& segment) { return isUnlikely(segment); };
-  segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
+  const auto left = std::remove_if(segments_.begin(), segments_.end(), unlikely);
+  refusals_[Refusal::unlikely] += static_cast<std::uint32_t>(segments_.end() - left);
+  segments_.erase(left, segments_.end());
   addUnevenPlanes();
   // Selections that go on keep what stayed in front, whatever its size.
   std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {

@@ -236,8 +236,9 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   List<std::size_t> left;
   for (const LabelledPoints& of_item : points) left.push_back(of_item.all);
   const List<bool> enough = areEnough(left, whole);  // and none of what was not kept
-  const auto within = [this](std::size_t k) {
-    return !isLine(result.items[k], verification.noise()) && !isTooWideCone(result.items[k], params);
+  const auto broken = [this](std::size_t k) -> std::optional<Refusal> {
+    if (isLine(result.items[k], verification.noise())) return Refusal::too_small;
+    return isTooWideCone(result.items[k], params) ? std::optional<Refusal>(Refusal::too_large) : std::nullopt;
   };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
   for (const std::size_t k : planesFirst(result.items)) {
@@ -253,13 +254,13 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   for (std::size_t k = 0; k < result.items.size(); ++k) {
     if (!enough[k]) {
       ++result.refusals[Refusal::few_inliers];
-    } else if (!within(k)) {
-      ++result.refusals[Refusal::limits];
+    } else if (const auto refusal = broken(k)) {
+      ++result.refusals[*refusal];
     } else if (!likely(k)) {
       ++result.refusals[Refusal::unlikely];
     }
   }
-  spare_outlines.keep(result.items, [&](std::size_t k) { return enough[k] && within(k) && likely(k); });
+  spare_outlines.keep(result.items, [&](std::size_t k) { return enough[k] && !broken(k) && likely(k); });
   nameEndFaces(verification.fullNoise(), result.items);
 }
 

@@ -174,7 +174,7 @@ TEST(Proposal, KeepsLimitsAfterRefinement) {
   params.max_radius = 0.078;
   const Proposed result = proposed(samples, {proposalAt(Sphere{Vec3(0, 0, 0.997), 0.077}, samples, 0)}, params);
   for (const Hypothesis& h : result.pool) EXPECT_NE(kindOf(h.shape), Kind::sphere);
-  EXPECT_GE(result.refusals[Refusal::limits], 1u);
+  EXPECT_GE(result.refusals[Refusal::too_large], 1u);
 }
 
 TEST(Proposal, KeepsTheLargestRadiusThatTheVotesCanTell) {
@@ -340,7 +340,7 @@ TEST(BestOfKinds, IsNotHeldBackByABetterFitBeyondTheLimits) {
   ASSERT_TRUE(bestOfKinds(samples, HeldGains(samples.size(), 0.0f), test::allOf(samples), rulesOf(params), hypothesis,
                           &refusals));
   EXPECT_EQ(kindOf(hypothesis.shape), Kind::plane);
-  EXPECT_GE(refusals[Refusal::limits], 1u);
+  EXPECT_GE(refusals[Refusal::too_large], 1u);
 }
 
 TEST(Rival, IsNamedWhereAnotherKindIsNearlyAsGood) {

@@ -208,7 +208,7 @@ TEST(Verification, RefusesTubesThatAreNotSeenWhileOthersMayHaveTheirSamples) {
     });
     EXPECT_GE(asked, 1);
     EXPECT_EQ(frame.of(Kind::cylinder).size(), is_seen ? 1u : 0u);
-    EXPECT_EQ(frame.verification().refusals()[Refusal::unlikely] > 0, !is_seen);
+    EXPECT_EQ(frame.verification().refusals()[Refusal::not_seen] > 0, !is_seen);
     EXPECT_GE(frame.of(Kind::plane).size(), 1u);
   }
 }

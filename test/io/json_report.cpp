@@ -168,9 +168,15 @@ TEST(JsonReport, NamesTheRivalOrNone) {
 
 TEST(JsonReport, CountsWhatWasRefused) {
   FileReport report = fourKinds();
-  report.detections.refusals[Refusal::limits] = 7;
+  report.detections.refusals[Refusal::half_angle] = 7;
   const Json refused = test::parsedJson(reportJson(report))["refused"];
-  EXPECT_EQ(refused, Json({{"few inliers", 0}, {"limits", 7}, {"unlikely", 0}}));
+  EXPECT_EQ(refused, Json({{"few inliers", 0},
+                           {"too large", 0},
+                           {"too small", 0},
+                           {"half angle", 7},
+                           {"edge-on", 0},
+                           {"unlikely", 0},
+                           {"not seen", 0}}));
 }
 
 TEST(JsonReport, SaysWhyNothingCameOut) {

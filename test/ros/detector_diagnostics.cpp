@@ -29,13 +29,13 @@ PrimitiveArray messageWith(std::initializer_list<std::uint8_t> types) {
 TEST(FrameCounters, SumUpPrimitivesAndRefusalsOfAllFrames) {
   FrameCounters counters;
   Refusals refusals;
-  refusals[Refusal::limits] = 7;
+  refusals[Refusal::too_large] = 7;
   refusals[Refusal::unlikely] = 1;
   counters.count(messageWith({Primitive::PLANE, Primitive::CONE}), refusals);
   counters.count(messageWith({Primitive::PLANE}), refusals);
   EXPECT_EQ(counters.by_kind[Primitive::PLANE], 2u);
   EXPECT_EQ(counters.last_by_kind[Primitive::CONE], 0u);
-  EXPECT_EQ(countOf(counters, Refusal::limits), 14u);
+  EXPECT_EQ(countOf(counters, Refusal::too_large), 14u);
   EXPECT_EQ(countOf(counters, Refusal::unlikely), 2u);
   EXPECT_EQ(countOf(counters, Refusal::few_inliers), 0u);
 }

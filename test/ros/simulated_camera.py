@@ -163,7 +163,8 @@ class SimulatedCamera(unittest.TestCase):
             values = reports[-1].values if reports else []
             return {v.key: int(v.value) for v in values if v.key.startswith("refused: ")}
         self.assertTrue(wait_for(lambda: refused()))
-        self.assertEqual(set(refused()), {"refused: few inliers", "refused: limits", "refused: unlikely"})
+        reasons = ("few inliers", "too large", "too small", "half angle", "edge-on", "unlikely", "not seen")
+        self.assertEqual(set(refused()), {"refused: " + reason for reason in reasons})
         # Every candidate is tried as every kind: some of that never comes out.
         self.assertTrue(wait_for(lambda: sum(refused().values()) > 0))
 
