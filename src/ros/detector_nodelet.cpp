@@ -39,9 +39,9 @@ void DetectorNodelet::start() {
   NODELET_INFO_STREAM(getName() << ": voting kernel '" << kernelInUse() << "', loops '" << loopsInUse() << "'");
   diagnostics_ = std::make_unique<DetectorDiagnostics>(getNodeHandle(), private_handle, getName());
   if (!loaded.params.sensor_frame.empty() || !loaded.params.target_frame.empty()) {
-    transforms_ = std::make_unique<tf2_ros::Buffer>();
-    late_transforms_ = std::make_unique<LateTransforms>(*transforms_, loaded.params.transform_patience);
-    transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
+    transforms_ = std::make_unique<TransformInbox>(getNodeHandle(), loaded.params.transform_patience);
+    transform_timer_ = getNodeHandle().createWallTimer(ros::WallDuration(TransformInbox::kTakeSeconds),
+                                                       [this](const ros::WallTimerEvent&) { transforms_->take(); });
   }
   sequence_ = std::make_unique<CloudSequence>(
       loaded.params, [this](const std::string& target, const std::string& source, const ros::Time& stamp) {
@@ -71,6 +71,7 @@ void DetectorNodelet::stop() {
   for (ros::Publisher* publisher : {&primitives_, &markers_, &labels_, &normals_}) publisher->shutdown();
   input_.shutdown();
   diagnostics_timer_.stop();
+  transform_timer_.stop();
   reconfigure_.reset();
 }
 
@@ -125,7 +126,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
 
 Eigen::Isometry3d DetectorNodelet::lookup(const std::string& target, const std::string& source,
                                           const ros::Time& stamp) try {
-  return late_transforms_->lookup(target, source, stamp);
+  return transforms_->lookup(target, source, stamp);
 } catch (const tf2::ExtrapolationException& error) {
   throw std::runtime_error(error.what() +
                            (" (a cloud waits transform_patience, " + valueText(pipeline().params().transform_patience) +
@@ -231,7 +232,7 @@ void DetectorNodelet::onReconfigure(DetectorConfig& config, std::uint32_t level)
   try {
     const Params before = pipeline().params();
     pipeline().setParams(fromConfig(config, before));
-    if (late_transforms_) late_transforms_->setPatience(pipeline().params().transform_patience);
+    if (transforms_) transforms_->setPatience(pipeline().params().transform_patience);
     told_hopeless_ = told_not_from_origin_ = told_assumed_origin_ = told_found_camera_ = false;
     if (level != ~std::uint32_t{0}) {
       NODELET_INFO_STREAM(getName() << ": parameters changed: " << differenceText(pipeline().params(), before));

@@ -7,17 +7,15 @@
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <string>
 
 #include "cloud_sequence.h"
 #include "detector_diagnostics.h"
-#include "late_transform.h"
 #include "markers.h"
 #include "parameters.h"
+#include "transform_inbox.h"
 
 namespace primitect::ros_layer {
 
@@ -74,13 +72,11 @@ class DetectorNodelet : public nodelet::Nodelet {
   bool told_incomplete_ = false;
   Throttle input_warning_{5.0}, silence_check_{5.0}, transform_warning_{5.0}, failure_warning_{5.0}, jump_warning_{10.0};
 
-  std::unique_ptr<tf2_ros::Buffer> transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
-  std::unique_ptr<LateTransforms> late_transforms_;
+  std::unique_ptr<TransformInbox> transforms_;  ///< where a frame is named
   std::unique_ptr<dynamic_reconfigure::Server<DetectorConfig>> reconfigure_;
   ros::Publisher primitives_, markers_, labels_, normals_;
   ros::Subscriber input_;
-  ros::WallTimer diagnostics_timer_;
+  ros::WallTimer diagnostics_timer_, transform_timer_;
 };
 
 }  // namespace primitect::ros_layer

@@ -60,6 +60,7 @@ void LateTransforms::waitedInVain(const Frames& frames) {
 
 Eigen::Isometry3d LateTransforms::lookup(const std::string& target, const std::string& source, const ros::Time& stamp) {
   const Frames frames = {frameName(target), frameName(source)};
+  if (listen_) listen_();
   const bool waits = mayStillCome(frames, stamp);
   const SteadyClock::time_point begin = SteadyClock::now();
   while (true) {
@@ -73,6 +74,7 @@ Eigen::Isometry3d LateTransforms::lookup(const std::string& target, const std::s
       }
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (listen_) listen_();
   }
 }
 

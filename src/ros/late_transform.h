@@ -8,6 +8,7 @@
 #include <tf2/buffer_core.h>
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,12 +30,13 @@ inline std::string frameName(const std::string& frame) { return frame.substr(fra
 /// number.
 Eigen::Isometry3d isometryOf(const geometry_msgs::Transform& transform);
 
-/// Of a buffer that another thread fills.
+/// Of a buffer that another thread fills, or this one by listen().
 class LateTransforms {
  public:
-  /// The buffer must outlive this. patience (s): how long lookup() waits.
-  explicit LateTransforms(const tf2::BufferCore& transforms, double patience = Params().transform_patience)
-      : transforms_(transforms), patience_(patience) {}
+  /// The buffer must outlive this. patience (s): how long lookup() waits. listen: called before each look, if any.
+  explicit LateTransforms(const tf2::BufferCore& transforms, double patience = Params().transform_patience,
+                          std::function<void()> listen = nullptr)
+      : transforms_(transforms), patience_(patience), listen_(std::move(listen)) {}
 
   void setPatience(double patience) { patience_ = patience; }
 
@@ -60,6 +62,7 @@ class LateTransforms {
   };
   const tf2::BufferCore& transforms_;
   double patience_;  ///< s
+  std::function<void()> listen_;
   std::map<Frames, Wait> in_vain_;
 };
 

@@ -52,6 +52,17 @@ TEST(LateTransform, IsTakenWhenItArrivesSoonAfterTheCloud) {
   EXPECT_NEAR(lookedUp(std::chrono::milliseconds(10), kPatience), 1.5, 1e-9);  // of the stamp, not the latest
 }
 
+TEST(LateTransform, IsTakenFromWhatIsListenedToWhileItWaits) {
+  tf2::BufferCore transforms;
+  int listened = 0;
+  const auto listen = [&] { transforms.setTransform(cameraAt(2.0, ros::Time(10 + ++listened, 0)), "test"); };
+  LateTransforms late(transforms, 10.0, listen);
+  EXPECT_NEAR(late.lookup("base", "camera", ros::Time(11, 0)).translation().x(), 2.0, 1e-9);
+  EXPECT_EQ(listened, 1) << "before the first look";
+  EXPECT_NO_THROW(late.lookup("base", "camera", ros::Time(13, 0)));
+  EXPECT_EQ(listened, 3) << "and again while it waits";
+}
+
 TEST(LateTransform, IsTakenWhenItArrivesLaterWherePatienceIsLonger) {
   EXPECT_NEAR(lookedUp(std::chrono::milliseconds(100), 2.0), 1.5, 1e-9);
 }

@@ -2,9 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """target_frame: primitives move along with tf; without a transform the reason is said."""
+import os
 import sys
 import unittest
+import xmlrpc.client
 
+import rosgraph
+import rosnode
 import rospy
 import rostest
 import tf2_ros
@@ -20,7 +24,25 @@ HEIGHT = 0.7  # m
 UNOBSERVABLE = 1e6  # m^2
 
 
+def threads_of(node):
+    """How many threads a node's process has; None while it is not up."""
+    uri = rosnode.get_api_uri(rosgraph.Master("/test"), node)
+    if not uri:
+        return None
+    process = xmlrpc.client.ServerProxy(uri).getPid("/test")[2]
+    return len(os.listdir("/proc/%d/task" % process))
+
+
 class TargetFrame(unittest.TestCase):
+    def test_adds_no_thread_to_listen_to_tf(self):
+        self.assertTrue(Detector().ready())
+        counts = []
+
+        def alike():
+            counts[:] = [threads_of("/detector"), threads_of("/detector_without_frame")]
+            return None not in counts and counts[0] == counts[1]
+        self.assertTrue(wait_for(alike), "threads with and without target_frame: %s" % counts)
+
     def test_says_that_there_is_no_transform_and_moves_the_primitives_when_there_is(self):
         detector = Detector()
         log = Collector("/rosout", Log)
