@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 from collections import namedtuple
 
-KERNELS = ("scalar", "portable", "avx2", "avx512", "neon")
+KERNELS = ("scalar", "portable", "avx2", "avx512")
 SUFFIX = "/manual_time"  # Google Benchmark appends it to the names
 
 # seconds, curve_seconds: measured in each repetition of a case; inputs: different clouds of a case;

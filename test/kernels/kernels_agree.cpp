@@ -213,6 +213,13 @@ TEST_P(EachKernel, PassesOverMissingSamples) {
   for (std::size_t i = 1; i < samples.size(); i += 3) samples.nx[i] = samples.ny[i] = samples.nz[i] = kNan;
   expectSameVotes(samples, everything(), 0.0, "missing samples");
   EXPECT_TRUE(voted_);
+  // Whole boxes without a place, the last one of few samples among them.
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i / kernels::kBoxSamples % 3 != 0) samples.x[i] = samples.y[i] = samples.z[i] = kNan;
+  }
+  for (std::size_t i = 192; i < samples.size(); ++i) samples.x[i] = samples.y[i] = samples.z[i] = kNan;
+  expectSameVotes(samples, everything(), 0.0, "missing boxes");
+  EXPECT_TRUE(voted_);
   const std::size_t good = 2;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i != good) samples.nx[i] = samples.ny[i] = samples.nz[i] = kNan;
@@ -244,6 +251,65 @@ TEST_P(EachKernel, DecidesAsTheScalarOneOnTheThresholdsOfDistanceAndParallelNorm
   }
   expectSameVotes(test::samplesOf(points), params, 0.0, "grid");
   EXPECT_TRUE(voted_);
+}
+
+/// How many whole votes a reference at (0, 0, 1) with the normal z casts for spheres and cylinders seen from outside.
+std::pair<float, float> wholeVotes(const Kernels& kernel, std::vector<SurfacePoint> others) {
+  others.insert(others.begin(), {Vec3::UnitZ(), Vec3::UnitZ()});
+  Params params = everything();
+  params.spread_votes = false;
+  const Votes votes = votesOf(kernel, test::samplesOf(others), 0, params);
+  return {votes.total[0], votes.total[1]};
+}
+
+/// On a ball of this radius below the reference, `turn` (rad) away from it.
+SurfacePoint onBallBelow(double radius, double turn) {
+  return test::pointOn(Sphere{Vec3(0.0, 0.0, 1.0 - radius), radius}, Vec3(std::sin(turn), 0.0, std::cos(turn)));
+}
+
+/// What is that little below the threshold votes, what is above it does not; both are far from rounding (1e-6).
+constexpr double kBeside[] = {-1e-2, -1e-3, -1e-4, -2e-5, 2e-5, 1e-4, 1e-3, 1e-2};
+constexpr float kBelow = 4.0f, kAll = 8.0f;  ///< of them
+
+TEST_P(EachKernel, DecidesOnTheThresholdOfSymmetricAngles) {
+  const double epsilon = everything().epsilon_deg * M_PI / 180.0;
+  for (const double turn : {0.5, 0.9, 1.3}) {
+    std::vector<SurfacePoint> others;
+    for (const double beside : kBeside) {
+      SurfacePoint p = onBallBelow(0.1, turn);
+      p.normal = Eigen::AngleAxisd(epsilon + beside, Vec3::UnitY()) * p.normal;
+      others.push_back(p);
+    }
+    EXPECT_EQ(wholeVotes(kernel(), others).second, kBelow) << turn;
+  }
+}
+
+TEST_P(EachKernel, DecidesOnTheThresholdOfTriangles) {
+  const double epsilon = everything().epsilon_deg * M_PI / 180.0;
+  for (const double turn : {0.5, 0.9, 1.3}) {
+    std::vector<SurfacePoint> others;
+    for (const double beside : kBeside) {
+      // Turned about the way to it until the normals are so far apart; to both ends of the way they stay symmetric.
+      SurfacePoint p = onBallBelow(0.1, turn);
+      const double f2 = 0.5 * (M_PI + turn), f3 = 0.5 * (M_PI - turn), f4 = turn + epsilon + beside;
+      const double about = std::acos((std::cos(f4) - std::cos(f2) * std::cos(f3)) / (std::sin(f2) * std::sin(f3)));
+      p.normal = Eigen::AngleAxisd(about, (p.point - Vec3::UnitZ()).normalized()) * p.normal;
+      others.push_back(p);
+    }
+    const auto [spheres, cylinders] = wholeVotes(kernel(), others);
+    EXPECT_EQ(spheres, kBelow) << turn;
+    EXPECT_EQ(cylinders, kAll) << turn;
+  }
+}
+
+TEST_P(EachKernel, DecidesOnTheLargestRadius) {
+  const Params params = everything();
+  const double largest = params.radius_bin * kDiameter * params.radius_bins;
+  std::vector<SurfacePoint> others;
+  for (const double beside : kBeside) others.push_back(onBallBelow(largest * (1.0 + beside), 0.5));
+  const auto [spheres, cylinders] = wholeVotes(kernel(), others);
+  EXPECT_EQ(spheres, kBelow);
+  EXPECT_EQ(cylinders, kBelow);
 }
 
 TEST_P(EachKernel, CastsTheSameVotesWithAndWithoutBoxes) {
