@@ -13,7 +13,8 @@ LOADER = importlib.machinery.SourceFileLoader("gate", PATH)
 gate = importlib.util.module_from_spec(importlib.util.spec_from_loader("gate", LOADER))
 LOADER.exec_module(gate)
 
-RECORD = {name: {"default": {"clouds": 2, "truths": 30, "found": 28, "typed_correct": 25}} for name in ("a", "b", "c")}
+RECORD = {name: {"default": {"clouds": 2, "truths": 30, "found": 28, "typed_correct": 25, "false_curved": 2}}
+          for name in ("a", "b", "c")}
 
 
 def changed(**amounts):
@@ -44,6 +45,15 @@ class Gate(unittest.TestCase):
         faults = gate.faults_of(changed(b=(2, 0)), RECORD)
         self.assertEqual(len(faults), 1)
         self.assertIn("b, default: precision fell, 5 wrong detections, on record 3", faults[0])
+
+    def test_lets_one_more_false_curved_shape_of_a_group_pass_and_sees_two(self):
+        now = changed()
+        now["a"]["default"]["false_curved"] += 1
+        self.assertEqual(gate.faults_of(now, RECORD), [])
+        now["a"]["default"]["false_curved"] += 1
+        faults = gate.faults_of(now, RECORD)
+        self.assertEqual(len(faults), 1)
+        self.assertIn("a, default: more is taken for something curved, 4 wrong", faults[0])
 
     def test_sees_small_falls_in_all_groups(self):
         faults = gate.faults_of(changed(a=(-1, -1), b=(-1, -1), c=(-1, -1)), RECORD)
