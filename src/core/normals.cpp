@@ -207,6 +207,7 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 }
 
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples) {
+  if (samples.size() == 0) return;  // as where nothing is left to look closer at: no tree is built
   const bool takes_own = params.use_cloud_normals && cloud.hasNormals();
   if (takes_own) {
     takeCloudNormals(cloud, params.orient_normals, samples);

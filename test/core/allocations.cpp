@@ -171,6 +171,15 @@ TEST_F(Allocations, AreNoneInCloudsWithNormalsThatWereSeen) {
   EXPECT_EQ(allocationsOf(clouds[0], detector), 0u);
 }
 
+TEST_F(Allocations, AreNoneWhereInsidesAreLookedForToo) {
+  const std::vector<Cloud> clouds = tabletops(1, 2);
+  Params params;
+  params.convexity = "both";
+  Detector detector{params};
+  warmUp(clouds, detector);
+  for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
+}
+
 TEST_F(Allocations, AreNoneWhenPointsAreLabelled) {
   const std::vector<Cloud> clouds = tabletops(1, 1);
   Detector detector{Params()};

@@ -364,6 +364,14 @@ TEST(CloudNormals, ThatFaceAwayFromTheSensorAreTold) {
   EXPECT_FALSE(detectorSaysTheyFaceAway(wholeBall(Vec3::Zero()))) << "the origin is in it, not a sensor";
 }
 
+TEST(CloudNormals, OfNoSamplesNeedNoNeighbours) {
+  const Cloud cloud = test::cloudOf(frontOfBall(1.0));
+  Samples none;
+  NormalSource source;
+  estimateNormals(cloud, Params(), source, none);
+  EXPECT_FALSE(source.neighbors);
+}
+
 TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
   Cloud cloud = cameraCloud(Vec3::UnitZ(), 1.0);
   for (std::vector<float>* values : {&cloud.nx, &cloud.ny, &cloud.nz}) {
