@@ -11,7 +11,7 @@
 namespace primitect::eval {
 
 /// One JSON object without line break: recipe, method, times, counts, curves, errors and what became of each detection;
-/// eval/README.md lists the keys.
+/// eval/measuring.md lists the keys.
 std::string scoreLine(const LabelledCloud& input, const Method& method, const Answer& answer, const CaseScore& score);
 
 /// Compiler, build type and the methods that there are, one JSON object.

@@ -67,7 +67,7 @@ constexpr std::array<Features, kKindCount> kWeights = {{
     {{-15.9, 2.21, 7.4, -12, -4.13, 6.11, 1.84, 0, 1.7}},    // cone
 }};
 
-// Of cylinders where the noise is the cloud's own: the mean of two earlier fits (eval/README.md). There a tube that
+// Of cylinders where the noise is the cloud's own: the mean of two earlier fits (eval/measuring.md). There a tube that
 // turns little is one all the same: with the other row 99.6 / 97.7 % of the paper's cylinders are found instead of
 // 99.8 / 98.7 (compare --set paper-cylinders --seeds 2300:40 --algorithm-seeds 1,2).
 constexpr Features kCylinderOfOwnNoise = {-7.1, 1.35, 0.65, -11.1, -3.66, 2, 4.7, 0, 1.9};

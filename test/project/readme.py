@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The README and the pages of docs/ tell the truth: commands, files, links and parameters exist."""
+"""The README and the pages of docs/ and eval/ tell the truth: commands, files, links and parameters exist."""
 import os
 import re
 import sys
@@ -62,8 +62,9 @@ def check(root):
             faults.append("README.md does not name " + command)
         if not os.access(path, os.X_OK):
             faults.append("README.md names %s, which cannot be run" % command)
-    pages = ["README.md", "eval/README.md"]
-    pages += sorted("docs/" + page for page in os.listdir(os.path.join(root, "docs")) if page.endswith(".md"))
+    pages = ["README.md"]
+    for folder in ("docs", "eval"):
+        pages += sorted(folder + "/" + page for page in os.listdir(os.path.join(root, folder)) if page.endswith(".md"))
     for page in pages:
         faults += faults_in(root, page)
     known = parameters(root)
@@ -85,5 +86,5 @@ def check(root):
 
 if __name__ == "__main__":
     found = check(sys.argv[1])
-    print("\n".join(found) or "README.md and docs/ tell the truth")
+    print("\n".join(found) or "README.md, docs/ and eval/ tell the truth")
     sys.exit(1 if found else 0)
