@@ -129,16 +129,23 @@ TEST(Effort, TakesTooFewSamplesForNoPoorNormals) {
     balls.push_back({Vec3(0.3 * (k % 8), 0.3 * (k / 8), -1.0), 0.1});
     points = test::together({points, test::patchOf(balls.back(), 1000, random)});
   }
-  Detector detector{Params()};
-  detector.detect(test::cloudOf(points), {leastShare(Params()), {}});
-  const SampleView view = detector.samples();
-  ASSERT_GT(view.count, 200u);
-  for (std::size_t i = 0; i < view.count; ++i) {
-    const Vec3 point(view.x[i], view.y[i], view.z[i]), normal(view.nx[i], view.ny[i], view.nz[i]);
-    double least = 1.0;
-    for (const Sphere& ball : balls) least = std::min(least, ((point - ball.center).normalized() - normal).norm());
-    ASSERT_LT(least, 1e-4) << "measured anew";
-  }
+  const auto expectAsTheyCame = [&](const Params& params, const Effort& effort) {
+    Detector detector{params};
+    detector.detect(test::cloudOf(points), effort);
+    const SampleView view = detector.samples();
+    ASSERT_GT(view.count, 200u);
+    for (std::size_t i = 0; i < view.count; ++i) {
+      const Vec3 point(view.x[i], view.y[i], view.z[i]), normal(view.nx[i], view.ny[i], view.nz[i]);
+      double least = 1.0;
+      for (const Sphere& ball : balls) least = std::min(least, ((point - ball.center).normalized() - normal).norm());
+      ASSERT_LT(least, 1e-4) << "measured anew";
+    }
+  };
+  expectAsTheyCame(Params(), {leastShare(Params()), {}});
+  Params few;
+  few.samples = static_cast<int>(leastShare(few) * few.samples);
+  few.closer_samples = static_cast<int>(leastShare(few) * few.closer_samples);
+  expectAsTheyCame(few, {});
 }
 
 TEST(Effort, FindsWithFewerSamplesWhatIsAsSmall) {
