@@ -3,6 +3,8 @@
 // Starts, subscribes while someone listens, processes, publishes what is listened to.
 #include "detector_nodelet.h"
 
+#include <tf2/exceptions.h>
+
 #include <iomanip>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
@@ -131,7 +133,7 @@ Eigen::Isometry3d DetectorNodelet::lookup(const std::string& target, const std::
   throw std::runtime_error(error.what() +
                            (" (a cloud waits transform_patience, " + valueText(pipeline().params().transform_patience) +
                             " s, for transforms that come later than it)"));
-} catch (const tf2::LookupException& error) {
+} catch (const tf2::TransformException& error) {
   throw std::runtime_error(std::string(error.what()) +
                            " (rosrun tf2_tools view_frames.py draws the frames that there are)");
 }

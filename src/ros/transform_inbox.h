@@ -5,8 +5,8 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
 #include <string>
@@ -15,14 +15,32 @@
 
 namespace primitect::ros_layer {
 
+/// What is known of frames from tf's messages.
+class FiledTransforms {
+ public:
+  /// In the order in which they were received. Where that time went back (a bag that starts again, a reset simulation),
+  /// what moved before is forgotten first, as by tf2_ros::TransformListener.
+  void file(const tf2_msgs::TFMessage& message, const std::string& publisher, const ros::Time& received,
+            bool is_static);
+
+  const tf2::BufferCore& buffer() const { return buffer_; }
+
+ private:
+  tf2::BufferCore buffer_;
+  ros::Time last_received_;
+};
+
+/// Not tf2_ros::TransformListener: that one has a thread, or, without, keeps a hundred messages until they are taken, a
+/// tenth of a second of a large robot's, and takes their time for that when they came.
 class TransformInbox {
  public:
-  /// How often take() must be called (s) where nothing is looked up: tf2's listener keeps the last hundred messages.
+  /// How often take() should be called (s) where nothing is looked up: of more than kMostWaiting messages the oldest
+  /// go.
   static constexpr double kTakeSeconds = 0.05;
+  static constexpr std::uint32_t kMostWaiting = 10000;
 
   /// Subscribes to /tf and /tf_static. patience (s): how long lookup() waits.
-  TransformInbox(const ros::NodeHandle& handle, double patience)
-      : listener_(buffer_, queuing(handle), false), late_(buffer_, patience, [this] { take(); }) {}
+  TransformInbox(ros::NodeHandle handle, double patience);
 
   void setPatience(double patience) { late_.setPatience(patience); }
 
@@ -35,15 +53,14 @@ class TransformInbox {
   }
 
  private:
-  ros::NodeHandle queuing(ros::NodeHandle handle) {
-    handle.setCallbackQueue(&queue_);
-    return handle;
-  }
+  using Event = ros::MessageEvent<const tf2_msgs::TFMessage>;
 
-  ros::CallbackQueue queue_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  ros::Subscriber subscribe(ros::NodeHandle& handle, const std::string& topic, bool is_static);
+
+  FiledTransforms filed_;
   LateTransforms late_;
+  ros::CallbackQueue queue_;
+  ros::Subscriber moving_, fixed_;
 };
 
 }  // namespace primitect::ros_layer
