@@ -148,11 +148,12 @@ const char* statusName(Status status);
 enum class Refusal : std::uint8_t {
   few_inliers,  ///< fewer than min_inliers samples around a candidate fit
   too_large,    ///< a fit's radius is above max_radius or what samples of such a scene can tell: mostly a plane
-  too_small,    ///< a fit's radius is below min_radius or what the noise lets tell from an edge; what is left is a line
+  too_small,    ///< a fit's radius is below min_radius or what the noise lets tell from an edge; a band of a ball or a
+                ///< plane is too narrow to tell what it is
   half_angle,   ///< a fit is a cone sharper than min_half_angle_deg or flatter than max_half_angle_deg
   edge_on,      ///< a fit is a plane in which the sensor lies
   unlikely,     ///< less than min_confidence
-  not_seen,     ///< a tube or a cone that the image shows in tatters
+  not_seen,     ///< a tube or a cone of which the image shows no part
 };
 constexpr std::size_t kRefusalCount = 7;
 

@@ -231,11 +231,9 @@ void Verification::conclude(const IsSeen& is_seen) {
     selectAgain();
     settle();
   }
-  // What took the place of the last ones refused may be unlikely, too.
+  // What took the place of the last ones refused may be unlikely, too; it is counted.
   const auto unlikely = [this](const Segment& segment) { return isUnlikely(segment); };
-  const auto left = std::remove_if(segments_.begin(), segments_.end(), unlikely);
-  refusals_[Refusal::unlikely] += static_cast<std::uint32_t>(segments_.end() - left);
-  segments_.erase(left, segments_.end());
+  segments_.erase(std::remove_if(segments_.begin(), segments_.end(), unlikely), segments_.end());
   addUnevenPlanes();
   // Selections that go on keep what stayed in front, whatever its size.
   std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {

@@ -143,8 +143,9 @@ TEST(Effort, TakesTooFewSamplesForNoPoorNormals) {
   };
   expectAsTheyCame(Params(), {leastShare(Params()), {}});
   Params few;
-  few.samples = static_cast<int>(leastShare(few) * few.samples);
-  few.closer_samples = static_cast<int>(leastShare(few) * few.closer_samples);
+  const double share = leastShare(few);
+  few.samples = static_cast<int>(share * few.samples);
+  few.closer_samples = static_cast<int>(share * few.closer_samples);
   expectAsTheyCame(few, {});
 }
 

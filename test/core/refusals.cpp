@@ -17,14 +17,15 @@ namespace {
 
 using test::kDegree;
 
-std::optional<Refusal> brokenBy(const Shape& shape) {
+/// max_radius (m), sharpest (deg): of the scene, besides those of the parameters.
+std::optional<Refusal> brokenBy(const Shape& shape, double max_radius = 0.4, double sharpest = 8.0) {
   Params params;
   params.min_radius = 0.02;
   params.max_radius = 0.5;
   params.min_half_angle_deg = 4.0;
   params.max_half_angle_deg = 65.0;
-  constexpr double kMaxRadius = 0.4, kSharpest = 8.0, kMinDistance = 0.005;
-  return Limits{params, kMaxRadius, kSharpest, kMinDistance}.brokenBy(shape);
+  constexpr double kMinDistance = 0.005;
+  return Limits{params, max_radius, sharpest, kMinDistance}.brokenBy(shape);
 }
 
 TEST(Limits, NameTheOneThatAShapeBreaks) {
@@ -34,9 +35,12 @@ TEST(Limits, NameTheOneThatAShapeBreaks) {
   EXPECT_EQ(brokenBy(Sphere{at, 0.021}), std::nullopt);
   EXPECT_EQ(brokenBy(Sphere{at, 0.39}), std::nullopt);
   EXPECT_EQ(brokenBy(Sphere{at, 0.41}), Refusal::too_large) << "of the scene";
-  EXPECT_EQ(brokenBy(Cylinder{at, Vec3::UnitY(), 0.6}), Refusal::too_large) << "of the parameters";
+  EXPECT_EQ(brokenBy(Cylinder{at, Vec3::UnitY(), 0.49}, 1.0), std::nullopt);
+  EXPECT_EQ(brokenBy(Cylinder{at, Vec3::UnitY(), 0.51}, 1.0), Refusal::too_large) << "of the parameters";
   EXPECT_EQ(brokenBy(cone(7.0)), Refusal::half_angle);
   EXPECT_EQ(brokenBy(cone(9.0)), std::nullopt);
+  EXPECT_EQ(brokenBy(cone(5.0), 1.0, 0.0), std::nullopt);
+  EXPECT_EQ(brokenBy(cone(3.0), 1.0, 0.0), Refusal::half_angle) << "of the parameters";
   EXPECT_EQ(brokenBy(cone(66.0)), Refusal::half_angle);
   EXPECT_EQ(brokenBy(Plane{0.004 * at, Vec3::UnitZ()}), Refusal::edge_on);
   EXPECT_EQ(brokenBy(Plane{at, Vec3::UnitZ()}), std::nullopt);
