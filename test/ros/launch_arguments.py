@@ -155,9 +155,17 @@ class LaunchedBag(unittest.TestCase):
         self.assertIn("/a.bag: No such file", self.refused("a.bag"))
 
     def test_without_the_topic_tells_what_it_has(self):
-        self.assertIn("bag.launch: no /wrong in the bag, which has /lens/points (sensor_msgs/PointCloud2)",
-                      words("bag.launch", "bag:=" + BAG, "input:=wrong"))
+        self.assertIn("bag.launch: no /wrong in the bag, which has /lens/points (sensor_msgs/PointCloud2) "
+                      "(input:=/lens/points)", words("bag.launch", "bag:=" + BAG, "input:=wrong"))
         self.assertNotIn("in the bag", words("bag.launch", "bag:=" + BAG, "input:=/lens/points"))
+
+    def test_of_images_tells_how_they_are_taken(self):
+        bag = bag_of("images.bag", {"/lens/image": Image, "/lens/packed/compressedDepth": CompressedImage,
+                                    "/lens/photo": CompressedImage})
+        self.assertTrue(checked("/camera/depth/points", bag).endswith(
+            " (depth:=/lens/image or depth:=/lens/packed/compressedDepth)\n"))
+        self.assertTrue(checked("/wrong", bag_of("photo.bag", {"/lens/photo": CompressedImage})).endswith(
+            "/lens/photo (sensor_msgs/CompressedImage)\n"))
 
     def test_without_the_calibration_of_its_images_tells_which_it_has(self):
         bag = bag_of("elsewhere.bag", {"/lens/image": Image, "/elsewhere/info": CameraInfo})
