@@ -92,6 +92,13 @@ function(primitect_tests program)
     PRIMITECT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PRIMITECT_TOOLS_DIR="${CMAKE_BINARY_DIR}/devel/lib/primitect")
 endfunction()
 
+# Those of ctest's tests of this folder whose names match: catkin has names of its own for gtests and rostests.
+function(primitect_find_tests variable pattern)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  list(FILTER tests INCLUDE REGEX "${pattern}")
+  set(${variable} ${tests} PARENT_SCOPE)
+endfunction()
+
 function(primitect_test name)
   primitect_tests(${name} TESTS ${name} LIBRARIES ${ARGN})
 endfunction()

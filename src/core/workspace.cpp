@@ -187,13 +187,14 @@ void Detector::Workspace::segmentByVotes() {
 /// measured anew.
 bool Detector::Workspace::improveNormals(const Cloud& cloud) {
   constexpr double kPoor = 0.1, kWanted = 0.05;  // rad, about each axis
+  if (!params.improve_normals || cloud.organized()) return false;
   const NoiseModel& noise = verification.noise();
   // With all samples noise that could not be measured is strong; where fewer are asked for, they may just be too few,
   // and a neighbour search would take several times what they save.
   const bool as_many_as_usual = atThisEffort(params.samples) >= static_cast<std::size_t>(Params().samples);
   const bool known = verification.noiseMeasured() || as_many_as_usual;
   const bool poor = known && noise.angle >= kPoor * kNormalDeviations;
-  if (!params.improve_normals || cloud.organized() || !poor) return false;
+  if (!poor) return false;
   normal_source.neighbor_count = neighborsFor(cloud, samples, noise.distance, kWanted, normal_source);
   estimateNormals(cloud, params, normal_source, samples);
   return true;

@@ -47,11 +47,6 @@ std::vector<double> numbersOf(const Detections& detections) {
   return numbers;
 }
 
-bool finds(const Detections& detections, Kind kind) {
-  return std::any_of(detections.items.begin(), detections.items.end(),
-                     [kind](const Detection& item) { return kindOf(item.shape) == kind; });
-}
-
 TEST(Effort, ScalesTheSamplesThatAreDrawn) {
   const Cloud cloud = largeTabletop();
   Detector detector(oneDraw());
@@ -152,12 +147,12 @@ TEST(Effort, TakesTooFewSamplesForNoPoorNormals) {
 TEST(Effort, FindsWithFewerSamplesWhatIsAsSmall) {
   Params params = oneDraw();
   Detector detector(params);
-  EXPECT_TRUE(finds(detector.detect(wallAndSmallBall()), Kind::sphere));
-  EXPECT_TRUE(finds(detector.detect(wallAndSmallBall(), {0.5, {}}), Kind::sphere));
+  EXPECT_TRUE(test::finds(detector.detect(wallAndSmallBall()), Kind::sphere));
+  EXPECT_TRUE(test::finds(detector.detect(wallAndSmallBall(), {0.5, {}}), Kind::sphere));
   params.samples = 1024;
   params.references = 256;
   Detector as_strict(params);
-  EXPECT_FALSE(finds(as_strict.detect(wallAndSmallBall()), Kind::sphere)) << "that is what min_inliers says";
+  EXPECT_FALSE(test::finds(as_strict.detect(wallAndSmallBall()), Kind::sphere)) << "that is what min_inliers says";
 }
 
 TEST(Effort, LeavesALowMinInliersAlone) {
@@ -177,7 +172,7 @@ TEST(Effort, FindsTheFourShapesWithHalfOfIt) {
   Detector detector{Params()};
   const Detections half = detector.detect(largeTabletop(), {0.5, {}});
   for (const Kind kind : {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone}) {
-    EXPECT_TRUE(finds(half, kind)) << kindName(kind);
+    EXPECT_TRUE(test::finds(half, kind)) << kindName(kind);
   }
 }
 
@@ -200,7 +195,7 @@ TEST(ShareInTime, SkipsTheRestOfTheSearchAndStillMeasures) {
             "sample normals vote segment look closer measure ");
   const Detections first_round = detector.detect(cloud, {1.0, [] { return 0.0; }});
   EXPECT_EQ(first_round.samples, static_cast<std::uint32_t>(Params().samples));
-  ASSERT_TRUE(finds(first_round, Kind::plane));
+  ASSERT_TRUE(test::finds(first_round, Kind::plane));
   for (const Detection& item : first_round.items) {
     EXPECT_GE(item.confidence, Params().min_confidence);
     EXPECT_GT(item.covariance[0], 0.0);

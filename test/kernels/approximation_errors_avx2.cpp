@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiled as the kernel avx2.
 #if defined(__x86_64__)
-#include <math.h>
-
 #include "kernels/avx2_lanes.h"
 //
 #include "kernels/vector_math.h"

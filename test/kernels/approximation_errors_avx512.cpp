@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiled as the kernel avx512.
 #if defined(__x86_64__)
-#include <math.h>
-
 #include "kernels/avx512_lanes.h"
 //
 #include "kernels/vector_math.h"

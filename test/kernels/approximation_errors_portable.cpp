@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiled as the kernel portable.
-#include <math.h>
-
 #include "kernels/portable_lanes.h"
 //
 #include "kernels/vector_math.h"

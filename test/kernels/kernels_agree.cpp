@@ -215,9 +215,8 @@ TEST_P(EachKernel, PassesOverMissingSamples) {
   EXPECT_TRUE(voted_);
   // Whole boxes without a place, the last one of few samples among them.
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i / kernels::kBoxSamples % 3 != 0) samples.x[i] = samples.y[i] = samples.z[i] = kNan;
+    if (i / kernels::kBoxSamples % 3 != 0 || i >= 192) samples.x[i] = samples.y[i] = samples.z[i] = kNan;
   }
-  for (std::size_t i = 192; i < samples.size(); ++i) samples.x[i] = samples.y[i] = samples.z[i] = kNan;
   expectSameVotes(samples, everything(), 0.0, "missing boxes");
   EXPECT_TRUE(voted_);
   const std::size_t good = 2;
@@ -271,15 +270,21 @@ SurfacePoint onBallBelow(double radius, double turn) {
 constexpr double kBeside[] = {-1e-2, -1e-3, -1e-4, -2e-5, 2e-5, 1e-4, 1e-3, 1e-2};
 constexpr float kBelow = 4.0f, kAll = 8.0f;  ///< of them
 
+template <class PointAt>
+std::vector<SurfacePoint> besideThreshold(const PointAt& point_at) {
+  std::vector<SurfacePoint> points;
+  for (const double beside : kBeside) points.push_back(point_at(beside));
+  return points;
+}
+
 TEST_P(EachKernel, DecidesOnTheThresholdOfSymmetricAngles) {
   const double epsilon = everything().epsilon_deg * M_PI / 180.0;
   for (const double turn : {0.5, 0.9, 1.3}) {
-    std::vector<SurfacePoint> others;
-    for (const double beside : kBeside) {
+    const auto others = besideThreshold([&](double beside) {
       SurfacePoint p = onBallBelow(0.1, turn);
       p.normal = Eigen::AngleAxisd(epsilon + beside, Vec3::UnitY()) * p.normal;
-      others.push_back(p);
-    }
+      return p;
+    });
     EXPECT_EQ(wholeVotes(kernel(), others).second, kBelow) << turn;
   }
 }
@@ -287,15 +292,14 @@ TEST_P(EachKernel, DecidesOnTheThresholdOfSymmetricAngles) {
 TEST_P(EachKernel, DecidesOnTheThresholdOfTriangles) {
   const double epsilon = everything().epsilon_deg * M_PI / 180.0;
   for (const double turn : {0.5, 0.9, 1.3}) {
-    std::vector<SurfacePoint> others;
-    for (const double beside : kBeside) {
+    const auto others = besideThreshold([&](double beside) {
       // Turned about the way to it until the normals are so far apart; to both ends of the way they stay symmetric.
       SurfacePoint p = onBallBelow(0.1, turn);
       const double f2 = 0.5 * (M_PI + turn), f3 = 0.5 * (M_PI - turn), f4 = turn + epsilon + beside;
       const double about = std::acos((std::cos(f4) - std::cos(f2) * std::cos(f3)) / (std::sin(f2) * std::sin(f3)));
       p.normal = Eigen::AngleAxisd(about, (p.point - Vec3::UnitZ()).normalized()) * p.normal;
-      others.push_back(p);
-    }
+      return p;
+    });
     const auto [spheres, cylinders] = wholeVotes(kernel(), others);
     EXPECT_EQ(spheres, kBelow) << turn;
     EXPECT_EQ(cylinders, kAll) << turn;
@@ -305,8 +309,7 @@ TEST_P(EachKernel, DecidesOnTheThresholdOfTriangles) {
 TEST_P(EachKernel, DecidesOnTheLargestRadius) {
   const Params params = everything();
   const double largest = params.radius_bin * kDiameter * params.radius_bins;
-  std::vector<SurfacePoint> others;
-  for (const double beside : kBeside) others.push_back(onBallBelow(largest * (1.0 + beside), 0.5));
+  const auto others = besideThreshold([&](double beside) { return onBallBelow(largest * (1.0 + beside), 0.5); });
   const auto [spheres, cylinders] = wholeVotes(kernel(), others);
   EXPECT_EQ(spheres, kBelow);
   EXPECT_EQ(cylinders, kBelow);

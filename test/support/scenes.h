@@ -3,6 +3,7 @@
 // Scenes that several tests look at, one stage after the other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -16,6 +17,12 @@ const Plane kTable = {Vec3(0, 0.2, 1.2), Vec3(0, -0.8, -0.6)};
 const Sphere kBall = {Vec3(-0.25, 0.0, 1.0), 0.08};
 const Cylinder kCan = {Vec3(0.05, 0.05, 0.95), Vec3(0, -0.8, -0.6), 0.05};
 const Cone kHat = {Vec3(0.3, -0.1, 0.9), Vec3(0, 0.8, 0.6), 25.0 * kDegree};
+
+/// Any of this kind is among them.
+inline bool finds(const Detections& detections, Kind kind) {
+  return std::any_of(detections.items.begin(), detections.items.end(),
+                     [kind](const Detection& item) { return kindOf(item.shape) == kind; });
+}
 
 /// So many exact points of each, in the order of the kinds.
 inline std::vector<SurfacePoint> tabletop(const std::array<int, kKindCount>& counts, Random& random) {
