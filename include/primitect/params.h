@@ -44,7 +44,11 @@ struct ParamInfo {
 /// All parameters in the order of params.def.
 const std::vector<ParamInfo>& paramTable();
 
-/// The row of that name; throws std::invalid_argument naming the parameter when there is none.
+/// The row of a table with that name. Throws std::invalid_argument when there is none, naming the parameter, and the
+/// one that is spelled nearly so.
+const ParamInfo& rowOf(const std::vector<ParamInfo>& table, const std::string& name);
+
+/// The row of that name in paramTable(); throws as rowOf().
 const ParamInfo& paramInfo(const std::string& name);
 
 /// The value of that name; throws std::invalid_argument when there is none.

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/similar_name.h"
+
 namespace primitect {
 namespace {
 
@@ -85,10 +87,16 @@ const std::vector<Entry>& entries() {
   return kEntries;
 }
 
+[[noreturn]] void refuseUnknown(const std::string& name, const std::vector<ParamInfo>& table) {
+  std::vector<std::string> names;
+  for (const ParamInfo& info : table) names.push_back(info.name);
+  throw std::invalid_argument("unknown parameter '" + name + "'" + similarNameHint(name, names));
+}
+
 const Entry& entryOf(const std::string& name) {
   const auto found =
       std::find_if(entries().begin(), entries().end(), [&name](const Entry& entry) { return entry.info.name == name; });
-  if (found == entries().end()) throw std::invalid_argument("unknown parameter '" + name + "'");
+  if (found == entries().end()) refuseUnknown(name, paramTable());
   return *found;
 }
 
@@ -194,6 +202,13 @@ const std::vector<ParamInfo>& paramTable() {
     return table;
   }();
   return kTable;
+}
+
+const ParamInfo& rowOf(const std::vector<ParamInfo>& table, const std::string& name) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&name](const ParamInfo& info) { return info.name == name; });
+  if (found == table.end()) refuseUnknown(name, table);
+  return *found;
 }
 
 const ParamInfo& paramInfo(const std::string& name) { return entryOf(name).info; }

@@ -44,13 +44,6 @@ std::string presetOf(const Values& values) {
   throw std::invalid_argument("parameter 'preset' is " + valueText(found->second) + ", allowed: " + known);
 }
 
-const ParamInfo& rowOf(const std::vector<ParamInfo>& table, const std::string& name) {
-  for (const ParamInfo& info : table) {
-    if (info.name == name) return info;
-  }
-  throw std::invalid_argument("unknown parameter '" + name + "'");
-}
-
 }  // namespace
 
 std::map<std::string, ParamValue> privateParameters(const ros::NodeHandle& private_handle) {

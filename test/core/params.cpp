@@ -42,8 +42,22 @@ TEST(ParamTable, NamesParameterValueAndRangeWhenItRefuses) {
             "parameter 'samples' is 'many', allowed: a whole number from 16 to 65536 points");
   EXPECT_EQ(refusal([&] { setParam(params, "clustering", std::string("best")); }),
             "parameter 'clustering' is 'best', allowed: average or nms");
-  EXPECT_EQ(refusal([&] { setParam(params, "max_dept", 1.0); }), "unknown parameter 'max_dept'");
   EXPECT_EQ(params.max_depth, Params().max_depth);
+}
+
+TEST(ParamTable, SaysWhichParameterMayBeMeantByAnUnknownOne) {
+  Params params;
+  const auto said = [&](const char* name) { return refusal([&] { setParam(params, name, 1.0); }); };
+  EXPECT_EQ(said("max_dept"), "unknown parameter 'max_dept'; did you mean 'max_depth'?");
+  EXPECT_EQ(said("maxdepth"), "unknown parameter 'maxdepth'; did you mean 'max_depth'?");
+  EXPECT_EQ(said("min_radus"), "unknown parameter 'min_radus'; did you mean 'min_radius'?");
+  EXPECT_EQ(said("closer_smaples"), "unknown parameter 'closer_smaples'; did you mean 'closer_samples'?");
+  EXPECT_EQ(said("min_half_angle"), "unknown parameter 'min_half_angle'; did you mean 'min_half_angle_deg'?");
+  EXPECT_EQ(said("mx_dept"), "unknown parameter 'mx_dept'") << "two of seven letters";
+  EXPECT_EQ(said("detect_torus"), "unknown parameter 'detect_torus'");
+  EXPECT_EQ(said("depth"), "unknown parameter 'depth'");
+  EXPECT_EQ(said("min"), "unknown parameter 'min'");
+  EXPECT_EQ(said(""), "unknown parameter ''");
 }
 
 TEST(ParamTable, TakesWholeNumbersForRealsButNotTheOtherWayRound) {

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which name may be meant by one that there is not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace primitect {
+
+/// The name that is spelled most like this one: it begins with it, or at most one letter in six is missing, too much or
+/// another (one letter of short names). Empty where none is.
+std::string similarName(const std::string& name, const std::vector<std::string>& names);
+
+/// "; did you mean 'max_depth'?", or empty: for the end of a message.
+std::string similarNameHint(const std::string& name, const std::vector<std::string>& names);
+
+}  // namespace primitect
