@@ -19,6 +19,26 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// The parameters whose limits a refusal may have broken; empty where there are none, or these are off.
+std::string limitsText(Refusal refusal, const Params& params) {
+  switch (refusal) {
+    case Refusal::few_inliers:
+      return "min_inliers";
+    case Refusal::too_large:
+      return params.max_radius > 0.0 ? "max_radius" : "";
+    case Refusal::too_small:
+      return params.min_radius > 0.0 ? "min_radius" : "";
+    case Refusal::half_angle:
+      return "min_half_angle_deg, max_half_angle_deg";
+    case Refusal::unlikely:
+      return "min_confidence";
+    case Refusal::edge_on:
+    case Refusal::not_seen:
+      break;
+  }
+  return "";
+}
+
 std::string shapeSize(const Plane&, const Extent& extent) {
   const bool known = extent.size.x() > 0.0 && extent.size.y() > 0.0;
   return known ? lengthsText(extent.size.head<2>().maxCoeff(), extent.size.head<2>().minCoeff()) : "";
@@ -68,12 +88,14 @@ std::string truncationText(std::uint8_t truncated) {
   return text;
 }
 
-std::string refusalsText(const Refusals& refusals) {
+std::string refusalsText(const Refusals& refusals, const Params& params) {
   std::string text;
   for (std::size_t i = 0; i < kRefusalCount; ++i) {
-    if (refusals.counts[i] == 0) continue;
-    text +=
-        (text.empty() ? "" : ", ") + std::to_string(refusals.counts[i]) + " " + refusalName(static_cast<Refusal>(i));
+    const Refusal refusal = static_cast<Refusal>(i);
+    if (refusals[refusal] == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(refusals[refusal]) + " " + refusalName(refusal);
+    const std::string limits = limitsText(refusal, params);
+    if (!limits.empty()) text += " (see " + limits + ")";
   }
   return text;
 }

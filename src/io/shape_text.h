@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "primitect/params.h"
 #include "primitect/primitives.h"
 
 namespace primitect::io {
@@ -24,8 +25,9 @@ std::string deviationText(const Detection& detection);
 /// Why the extent is only a lower bound: "image, occlusion"; "" if it is not, or where it is unknown.
 std::string truncationText(std::uint8_t truncated);
 
-/// "12 few inliers, 3 unlikely"; "" if there was none.
-std::string refusalsText(const Refusals& refusals);
+/// "12 few inliers (see min_inliers), 3 too large (see max_radius)": with the parameters that may be the reason, where
+/// they are on; "" if there was none.
+std::string refusalsText(const Refusals& refusals, const Params& params);
 
 /// Why there is nothing to see: one line for a person, for any status.
 std::string reasonText(const Detections& detections);

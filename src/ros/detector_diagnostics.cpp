@@ -24,6 +24,7 @@ void FrameCounters::count(const PrimitiveArray& message, const Refusals& refusal
   last_points_in = message.points_in;
   last_points_used = message.points_used;
   last_by_kind = {};
+  last_refused = refusals;
   for (const Primitive& primitive : message.primitives) {
     ++last_by_kind[primitive.type];
     ++by_kind[primitive.type];
@@ -137,7 +138,9 @@ void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {
   }
   status.summary(DiagnosticStatus::OK, summary);
   for (std::size_t i = 0; i < kRefusalCount; ++i) {
-    status.add(std::string("refused: ") + refusalName(static_cast<Refusal>(i)), counters_.refused[i]);
+    const std::string reason = refusalName(static_cast<Refusal>(i));
+    status.add("refused in last frame: " + reason, counters_.last_refused.counts[i]);
+    status.add("refused: " + reason, counters_.refused[i]);
   }
   status.add("last status", statusName(static_cast<Status>(counters_.last_status)));
 }

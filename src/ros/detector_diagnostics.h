@@ -29,6 +29,7 @@ struct FrameCounters {
   std::array<std::uint64_t, kKindCount> by_kind = {};       ///< primitives reported
   std::array<std::uint64_t, kRefusalCount> refused = {};    ///< shapes that were tried and did not come out
   std::array<std::uint32_t, kKindCount> last_by_kind = {};  ///< primitives of the last frame
+  Refusals last_refused;                                    ///< of the last frame
   std::uint32_t last_points_in = 0;
   std::uint32_t last_points_used = 0;
   std::uint8_t last_status = PrimitiveArray::OK;

@@ -108,22 +108,36 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   diagnostics_->frameReceived(cloud.header.stamp);
   with_labels_ = labels_.getNumSubscribers() > 0;
   const PrimitiveArray& message = sequence_->process(cloud, with_labels_);
+  tellProblems(message.status);
   const std::string& refused = sequence_->problem();
-  const std::string& lost = sequence_->frameProblem();
-  if (!refused.empty() && input_warning_.ready()) {
-    NODELET_WARN_STREAM(getName() << " refuses a cloud on " << input_.getTopic() << ": " << refused);
-  }
-  if (!lost.empty() && transform_warning_.ready()) NODELET_WARN_STREAM(getName() << ": " << lost);
   const FramePipeline& done = pipeline();
   FrameView view = {done.seenFromOrigin(), done.normalsFaceAway(), done.imageNoise(), std::nullopt};
   if (done.foundCamera()) view.found_camera = done.foundCamera()->translation();
-  diagnostics_->frameDone(message, done.refusals(), view, refused.empty() ? lost : refused);
+  diagnostics_->frameDone(message, done.refusals(), view, refused.empty() ? sequence_->frameProblem() : refused);
   publish(message);
   pipeline().published();
   warnIfHopeless();
   warnIfNotSeenFromOrigin();
   warnIfOriginIsAssumed();
   tellFoundCamera();
+}
+
+void DetectorNodelet::tellProblems(std::uint8_t status) {
+  const std::string& refused = sequence_->problem();
+  const std::string& lost = sequence_->frameProblem();
+  const bool no_transform = status == PrimitiveArray::NO_TRANSFORM;
+  if (!refused.empty() && input_warning_.ready()) {
+    NODELET_WARN_STREAM(getName() << " refuses a cloud on " << input_.getTopic() << ": " << refused);
+    told_no_transform_ |= no_transform;
+  }
+  if (!lost.empty() && transform_warning_.ready()) {
+    NODELET_WARN_STREAM(getName() << ": " << lost);
+    told_no_transform_ |= no_transform;
+  }
+  if (told_no_transform_ && status == PrimitiveArray::OK) {
+    told_no_transform_ = false;
+    NODELET_INFO_STREAM(getName() << ": the transform that was missing is there");
+  }
 }
 
 Eigen::Isometry3d DetectorNodelet::lookup(const std::string& target, const std::string& source,

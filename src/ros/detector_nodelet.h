@@ -39,6 +39,9 @@ class DetectorNodelet : public nodelet::Nodelet {
 
   void processCloud(const sensor_msgs::PointCloud2& cloud);
   void publish(const PrimitiveArray& message);
+  /// What is wrong with the last cloud and its frames, now and then; that a transform is there again. status: of the
+  /// message for it.
+  void tellProblems(std::uint8_t status);
   /// Once.
   void warnIfIncomplete(const std_msgs::Header& header);
   /// Once, or once more after parameters changed.
@@ -64,6 +67,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   std::unique_ptr<DetectorDiagnostics> diagnostics_;
   MarkerWriter marker_writer_;
   bool with_labels_ = false;  ///< the last cloud was read for them, too
+  bool told_no_transform_ = false;  ///< and it was not there since
   bool told_hopeless_ = false;
   bool told_not_from_origin_ = false;
   bool told_assumed_origin_ = false;

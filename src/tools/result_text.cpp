@@ -80,8 +80,8 @@ std::string unlikelyText(const io::FileReport& report) {
 }
 
 /// "Why is my object missing?" in one line.
-std::string refusedText(const Refusals& refusals) {
-  const std::string counts = io::refusalsText(refusals);
+std::string refusedText(const Refusals& refusals, const Params& params) {
+  const std::string counts = io::refusalsText(refusals, params);
   return counts.empty() ? "" : "  tried and refused: " + counts + "\n";
 }
 
@@ -139,7 +139,7 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
   } else {
     text += headingText();
   }
-  text += rowsText(found) + unlikelyText(report) + refusedText(found.refusals);
+  text += rowsText(found) + unlikelyText(report) + refusedText(found.refusals, input.params);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));
 }
 

@@ -51,7 +51,7 @@ TEST_F(DetectProgram, PrintsHowSureItIsAndWhatItRefused) {
   EXPECT_NE(row.find(" %"), std::string::npos) << row;
   EXPECT_EQ(run(ball + " --min_confidence 1"), 0);
   EXPECT_NE(out.find("nothing found: no shape"), std::string::npos) << out;
-  EXPECT_NE(out.find(" unlikely\n"), std::string::npos) << out;
+  EXPECT_NE(out.find(" unlikely (see min_confidence)\n"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {

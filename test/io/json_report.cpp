@@ -263,10 +263,22 @@ TEST(WordsForPeople, SayWhatCutsOffAShape) {
 
 TEST(WordsForPeople, CountOnlyTheRefusalsThatWere) {
   Refusals refusals;
-  EXPECT_EQ(refusalsText(refusals), "");
+  Params params;
+  EXPECT_EQ(refusalsText(refusals, params), "");
   refusals[Refusal::few_inliers] = 12;
-  refusals[Refusal::unlikely] = 3;
-  EXPECT_EQ(refusalsText(refusals), "12 few inliers, 3 unlikely");
+  refusals[Refusal::not_seen] = 3;
+  EXPECT_EQ(refusalsText(refusals, params), "12 few inliers (see min_inliers), 3 not seen");
+}
+
+TEST(WordsForPeople, NameTheLimitsOfRefusalsThatAreSet) {
+  Refusals refusals;
+  refusals[Refusal::too_large] = 1, refusals[Refusal::too_small] = 2, refusals[Refusal::half_angle] = 3;
+  refusals[Refusal::unlikely] = 4;
+  const std::string rest = "3 half angle (see min_half_angle_deg, max_half_angle_deg), 4 unlikely (see min_confidence)";
+  Params params;
+  EXPECT_EQ(refusalsText(refusals, params), "1 too large, 2 too small, " + rest) << "no bounds on radii by default";
+  params.max_radius = 0.05, params.min_radius = 0.02;
+  EXPECT_EQ(refusalsText(refusals, params), "1 too large (see max_radius), 2 too small (see min_radius), " + rest);
 }
 
 }  // namespace

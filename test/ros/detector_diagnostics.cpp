@@ -26,17 +26,21 @@ PrimitiveArray messageWith(std::initializer_list<std::uint8_t> types) {
   return message;
 }
 
-TEST(FrameCounters, SumUpPrimitivesAndRefusalsOfAllFrames) {
+TEST(FrameCounters, SumUpPrimitivesAndRefusalsOfAllFramesAndKeepTheLastOnes) {
   FrameCounters counters;
   Refusals refusals;
   refusals[Refusal::too_large] = 7;
   refusals[Refusal::unlikely] = 1;
   counters.count(messageWith({Primitive::PLANE, Primitive::CONE}), refusals);
+  refusals[Refusal::too_large] = 5;
+  refusals[Refusal::unlikely] = 0;
   counters.count(messageWith({Primitive::PLANE}), refusals);
   EXPECT_EQ(counters.by_kind[Primitive::PLANE], 2u);
   EXPECT_EQ(counters.last_by_kind[Primitive::CONE], 0u);
-  EXPECT_EQ(countOf(counters, Refusal::too_large), 14u);
-  EXPECT_EQ(countOf(counters, Refusal::unlikely), 2u);
+  EXPECT_EQ(countOf(counters, Refusal::too_large), 12u);
+  EXPECT_EQ(countOf(counters, Refusal::unlikely), 1u);
+  EXPECT_EQ(counters.last_refused[Refusal::too_large], 5u);
+  EXPECT_EQ(counters.last_refused[Refusal::unlikely], 0u);
   EXPECT_EQ(countOf(counters, Refusal::few_inliers), 0u);
 }
 

@@ -108,6 +108,8 @@ class SensorFrame(unittest.TestCase):
         broadcaster = tf2_ros.StaticTransformBroadcaster()
         broadcaster.sendTransform(camera_looking_ahead(HEIGHT))
         answer = found(detector, in_base)
+        self.assertTrue(wait_for(lambda: [m for m in log.all() if m.name == "/detector" and m.level == Log.INFO and
+                                          "the transform that was missing is there" in m.msg]))
         self.assertTrue(answer.seen_from_origin)  # of the camera
         self.check_primitives(answer)
         self.check_labels(self.of_answer(labels, answer))

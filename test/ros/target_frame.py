@@ -66,6 +66,8 @@ class TargetFrame(unittest.TestCase):
             answers.append(detector.ask(cloud_message(*SCENE)))
             return answers[-1].status == PrimitiveArray.OK
         self.assertTrue(wait_for(moved))
+        self.assertTrue(wait_for(lambda: [m for m in log.all() if m.name == "/detector" and m.level == Log.INFO and
+                                          "the transform that was missing is there" in m.msg]))
         answer = answers[-1]
         self.assertEqual(answer.header.frame_id, "base")
         wall = max((p for p in answer.primitives if p.type == Primitive.PLANE), key=lambda p: p.inlier_count)
