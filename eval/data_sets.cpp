@@ -152,6 +152,7 @@ LabelledCloud makeLabelledCloud(const Recipe& recipe) {
     thinOut(result.cloud, recipe.keep, recipe.uneven, recipe.seed);
     if (result.from_sensor) excuseThinned(result);
   }
+  if (recipe.voxel > 0.0) averageInVoxels(result.cloud, recipe.voxel);
   if (recipe.shuffle) shufflePoints(result.cloud, recipe.seed);
   if (recipe.robot_frame) moveToRobotFrame(result);
   return result;

@@ -59,6 +59,8 @@ void checkRecipe(const Recipe& recipe) {
   check(recipe.width >= 160 && recipe.width <= 2560, "width", recipe.width, "160 to 2560");
   check(recipe.keep > 0.0 && recipe.keep <= 1.0, "keep", recipe.keep, "(0, 1]");
   check(recipe.uneven >= 1.0 && recipe.uneven <= 1000.0, "uneven", recipe.uneven, "1 to 1000");
+  check(recipe.voxel == 0.0 || (recipe.voxel >= 1e-3 && recipe.voxel <= 1.0), "voxel", recipe.voxel,
+        "0, or 0.001 to 1");
 }
 
 std::string describe(const Recipe& recipe) {
@@ -76,6 +78,7 @@ std::string describe(const Recipe& recipe) {
   add(recipe.outliers != 0.0, "outliers " + numberText(recipe.outliers));
   add(recipe.keep != 1.0, "keep " + numberText(recipe.keep));
   add(recipe.uneven != 1.0, "uneven " + numberText(recipe.uneven));
+  add(recipe.voxel != 0.0, "voxels " + numberText(recipe.voxel));
   add(recipe.shuffle, "shuffled");
   add(recipe.robot_frame, "in a robot's frame");
   return text;

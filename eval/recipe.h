@@ -21,6 +21,7 @@ struct Recipe {
   double outliers = 0.0;  ///< share of points thrown anywhere into the bounding box, [0, 1)
   double keep = 1.0;      ///< share of the points that is kept, drawn at random, (0, 1]
   double uneven = 1.0;    ///< from one side of the cloud to the other this many times fewer points, [1, 1000]
+  double voxel = 0.0;     ///< m: a point for each cube of that side, the mean of those in it; 0: all points
   bool shuffle = false;   ///< in random order, unorganized
   /// Points and truth in a frame on the floor below the sensor: x ahead, y to the left, z up, the sensor 1.3 m above
   /// the origin and turned 38 deg down.

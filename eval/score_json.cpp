@@ -116,6 +116,7 @@ std::string scoreLine(const LabelledCloud& input, const Method& method, const An
                {"outliers", recipe.outliers},
                {"keep", recipe.keep},
                {"uneven", recipe.uneven},
+               {"voxel", recipe.voxel},
                {"shuffle", recipe.shuffle},
                {"robot_frame", recipe.robot_frame},
                {"unit", input.unit},

@@ -4,8 +4,10 @@
 #include "eval/variants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -70,6 +72,33 @@ void shufflePoints(Cloud& cloud, std::uint64_t seed) {
   Random random(seed ^ 0x73687566U);
   for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random.below(left)]);
   keepOnly(order, cloud);
+}
+
+void averageInVoxels(Cloud& cloud, double side) {
+  struct Sum {
+    double values[6] = {};
+    std::size_t points = 0;
+  };
+  std::map<std::array<long, 3>, Sum> voxels;
+  const bool normals = cloud.hasNormals();
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!cloud.valid(i)) continue;
+    const Eigen::Vector3d point = cloud.point(i), normal = normals ? cloud.normal(i) : Eigen::Vector3d(0, 0, 0);
+    Sum& sum = voxels[{std::lround(std::floor(point.z() / side)), std::lround(std::floor(point.y() / side)),
+                       std::lround(std::floor(point.x() / side))}];
+    for (int k = 0; k < 3; ++k) sum.values[k] += point[k], sum.values[3 + k] += normal[k];
+    ++sum.points;
+  }
+  std::vector<float>* const lists[] = {&cloud.x, &cloud.y, &cloud.z, &cloud.nx, &cloud.ny, &cloud.nz};
+  for (std::vector<float>* list : lists) list->clear();
+  for (const auto& [voxel, sum] : voxels) {
+    for (int k = 0; k < 3; ++k)
+      lists[k]->push_back(static_cast<float>(sum.values[k] / static_cast<double>(sum.points)));
+    const double length = std::hypot(sum.values[3], sum.values[4], sum.values[5]);
+    for (int k = 3; normals && k < 6; ++k) lists[k]->push_back(static_cast<float>(sum.values[k] / length));
+  }
+  cloud.width = static_cast<std::uint32_t>(voxels.size()), cloud.height = 1;
+  cloud.countPoints();
 }
 
 Eigen::Isometry3d robotFromSensor() {

@@ -18,6 +18,10 @@ void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed);
 /// Points in random order, without the missing ones and without rows.
 void shufflePoints(Cloud& cloud, std::uint64_t seed);
 
+/// The mean of the points in each cube of that side (m), as pcl::VoxelGrid leaves them: in the order of the cubes,
+/// without rows. Normals are means, too.
+void averageInVoxels(Cloud& cloud, double side);
+
 /// Where the sensor's optical frame is in that of Recipe::robot_frame.
 Eigen::Isometry3d robotFromSensor();
 

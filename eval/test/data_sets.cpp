@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -200,6 +201,36 @@ TEST(Recipe, InARobotsFrameTheTruthMovesWithThePoints) {
   }
   EXPECT_GT(points, 100000u);
   EXPECT_EQ(describe(recipe), "noise x 1, in a robot's frame");
+}
+
+TEST(Recipe, VoxelsHoldTheMeanOfTheirPoints) {
+  Recipe recipe = recipeOf("paper-planes");
+  const LabelledCloud all = makeLabelledCloud(recipe);
+  constexpr double kSide = 0.05;
+  recipe.voxel = kSide;
+  const LabelledCloud input = makeLabelledCloud(recipe);
+  const auto cubeOf = [&](const Vec3& point) {
+    const Vec3 cube = (point / kSide).array().floor();
+    return std::array<double, 3>{cube.x(), cube.y(), cube.z()};
+  };
+  std::map<std::array<double, 3>, std::pair<Vec3, double>> sums;
+  for (std::size_t i = 0; i < all.cloud.size(); ++i) {
+    auto& [sum, count] = sums.try_emplace(cubeOf(all.cloud.point(i)), Vec3::Zero(), 0.0).first->second;
+    sum += all.cloud.point(i), count += 1.0;
+  }
+  ASSERT_EQ(input.cloud.size(), sums.size());
+  EXPECT_EQ(input.cloud.valid_count, sums.size());
+  EXPECT_FALSE(input.cloud.organized());
+  for (std::size_t i = 0; i < input.cloud.size(); ++i) {
+    const auto found = sums.find(cubeOf(input.cloud.point(i)));  // means of points in a cube lie in it
+    ASSERT_NE(found, sums.end()) << i;
+    ASSERT_LT((found->second.first / found->second.second - input.cloud.point(i)).norm(), 1e-5) << i;
+    ASSERT_NEAR(input.cloud.normal(i).norm(), 1.0, 1e-5) << i;
+  }
+  EXPECT_EQ(input.scored.size(), all.scored.size()) << "scored on all points";
+  EXPECT_EQ(describe(recipe), "sigma 0.01, voxels 0.05");
+  recipe.voxel = 0.0005;
+  EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
 }
 
 TEST(Recipe, ShuffledScoresTheSameTruthAlike) {

@@ -97,6 +97,12 @@ void leaveOutStrays(const Cloud& cloud, View& view) {
   narrow(v, view.top, view.bottom);
 }
 
+/// Of two points of one surface in a pixel the first or the last one, half and half: in lists that are ordered by
+/// depth, as those of voxel grids, the first one would always be the one that noise moved towards the sensor. Planes of
+/// tables in voxels of 5 mm were .5 mm too near, as is .03 mm off now (compare --set tabletop --seeds 300:20 --voxel
+/// 0.005).
+bool firstStays(std::uint32_t pixel) { return (pixel * 2654435761U >> 16 & 1U) != 0; }
+
 }  // namespace
 
 bool isSparse(const Cloud& image) {
@@ -112,7 +118,7 @@ bool isSparse(const Cloud& image) {
 }
 
 void ProjectedImage::project(const Cloud& cloud, float left, float top, float pitch) {
-  // Times the depth: of two points this near each other the first one stays. The nearer one would be the one that noise
+  // Times the depth: of two points this near each other either stays. The nearer one would be the one that noise
   // moved towards the sensor.
   constexpr float kSameSurface = 1.02f;
   const auto columns = static_cast<float>(image_.width), rows = static_cast<float>(image_.height);
@@ -124,7 +130,8 @@ void ProjectedImage::project(const Cloud& cloud, float left, float top, float pi
     const std::uint32_t pixel = static_cast<std::uint32_t>(row) * image_.width + static_cast<std::uint32_t>(column);
     pixel_[i] = pixel;
     const float there = image_.z[pixel];
-    if (there <= kSameSurface * cloud.z[i]) continue;  // NaN, an empty pixel, does not hold
+    const bool behind = cloud.z[i] > kSameSurface * there, beside = there <= kSameSurface * cloud.z[i];
+    if (behind || (beside && firstStays(pixel))) continue;  // NaN, an empty pixel, holds for neither
     if (!image_.valid(pixel)) ++image_.valid_count;
     image_.x[pixel] = cloud.x[i], image_.y[pixel] = cloud.y[i], image_.z[pixel] = cloud.z[i];
   }

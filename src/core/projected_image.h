@@ -25,7 +25,7 @@ class ProjectedImage {
 
   /// Pixels as large as the points are apart, smaller where much of the view is empty; points that share their rays,
   /// like those of several frames, count once. Of two points in a pixel the image holds the nearer one, or of one
-  /// surface the first. False when the cloud is an image that is not sparse, when more than a few points lie beside or
+  /// surface either. False when the cloud is an image that is not sparse, when more than a few points lie beside or
   /// behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when it was
   /// not seen from the origin.
   bool make(const Cloud& cloud);

@@ -48,16 +48,37 @@ TEST(ProjectedImage, HoldsPointsWhereTheyAreSeen) {
   EXPECT_GT(held, cloud.size() / 2);
 }
 
-TEST(ProjectedImage, KeepsTheFirstOfASurfaceAndTheNearerOfTwoSurfaces) {
-  std::vector<Vec3> points = square(40, 0.4, 1.0);
-  const std::size_t same = points.size(), nearer = same + 1;
-  points.push_back(0.99 * points[820]);  // noise alone would put every second one there
-  points.push_back(0.7 * points[410]);
-  const Cloud cloud = listOf(points);
-  ProjectedImage projected;
-  ASSERT_TRUE(projected.make(cloud));
-  EXPECT_NE(projected.image().z[projected.pixel()[same]], cloud.z[same]);
-  EXPECT_EQ(projected.image().z[projected.pixel()[nearer]], cloud.z[nearer]);
+TEST(ProjectedImage, KeepsTheNearerOfTwoSurfaces) {
+  for (const bool nearer_first : {true, false}) {
+    std::vector<Vec3> points = square(40, 0.4, 1.0);
+    const Vec3 nearer = 0.7 * points[410];
+    const std::size_t place = nearer_first ? 0 : points.size();
+    points.insert(nearer_first ? points.begin() : points.end(), nearer);
+    const Cloud cloud = listOf(points);
+    ProjectedImage projected;
+    ASSERT_TRUE(projected.make(cloud));
+    EXPECT_EQ(projected.image().z[projected.pixel()[place]], cloud.z[place]) << nearer_first;
+  }
+}
+
+// As a voxel grid leaves them: ordered by depth, with two cubes, one behind the other, where noise crosses their
+// border.
+TEST(ProjectedImage, IsNeitherNearerNorFartherThanItsSurfaceWhateverTheOrder) {
+  constexpr double kAway = 2e-3;
+  for (const double first : {-kAway, kAway}) {
+    std::vector<Vec3> points;
+    for (const double away : {first, -first}) {
+      for (const Vec3& point : square(60, 0.6, 1.0)) points.push_back((1.0 + away) * point);
+    }
+    ProjectedImage projected;
+    ASSERT_TRUE(projected.make(listOf(points)));
+    const Cloud& image = projected.image();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.size(); ++i) sum += image.valid(i) ? image.z[i] : 0.0;
+    EXPECT_GT(image.valid_count, 1800u);
+    // Of 1800 at least, half of them on either side: four standard deviations are 0.19 mm.
+    EXPECT_NEAR(sum / image.valid_count, 1.0, 2e-4) << first;
+  }
 }
 
 TEST(ProjectedImage, IsNoneWhereATableHidesWhatStandsOnIt) {
