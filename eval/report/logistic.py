@@ -41,13 +41,14 @@ def fit(columns, right, penalty, signs=None, towards=None):
     """Weights that make right (0 or 1 a row) likely. columns: rows of features, the first of them 1.
 
     penalty: on weights, in units of the standard deviation of their feature, that are far from 0 or from `towards`.
-    signs: +1 or -1 for each weight, 0 for either; a feature whose weight would have the other sign gets none."""
+    signs: +1 or -1 for each weight, 0 for either; a feature whose weight would have the other sign gets none, nor does
+    one that is 0 in every row."""
     count = columns.shape[1]
     signs = np.zeros(count) if signs is None else np.asarray(signs)
     scale = columns.std(axis=0)
     scale[scale <= 1e-9 * np.abs(columns).max(axis=0)] = 1.0  # the same everywhere
     start = np.zeros(count) if towards is None else towards * scale
-    used = np.full(count, True)
+    used = columns.any(axis=0)
     while True:
         weights = np.zeros(count)
         weights[used] = maximize((columns / scale)[:, used], right, penalty, start[used])

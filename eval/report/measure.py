@@ -32,7 +32,13 @@ def command_of(program, call):
         command += ["--blots", str(recipe.blots)]
     for method in call.methods:
         command += ["--method", method]
-    return command + ["--json", "-"] + (["--shuffle"] if recipe.shuffle else [])
+    if recipe.voxel:
+        command += ["--voxel", repr(recipe.voxel)]
+    if recipe.shuffle:
+        command.append("--shuffle")
+    if recipe.robot_frame:
+        command.append("--robot-frame")
+    return command + ["--json", "-"]
 
 
 def task_text(call):

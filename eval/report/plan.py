@@ -26,8 +26,9 @@ CONCAVE = ("concave-spheres", "concave-cylinders", "concave-cones", "concave-mix
 ABLATIONS = ("b", "c", "d", "e")
 
 # How a cloud is made, and within how many degrees a point's normal must agree with its shape when scoring.
-Recipe = namedtuple("Recipe", "set sigma noise_scale outliers keep angle uneven shuffle noise_grain sensor blots",
-                    defaults=(0.01, 1.0, 0.0, 1.0, USUAL_ANGLE, 1.0, False, 1, "structured_light", 0.0))
+Recipe = namedtuple("Recipe", "set sigma noise_scale outliers keep angle uneven shuffle noise_grain sensor blots "
+                    "robot_frame voxel",
+                    defaults=(0.01, 1.0, 0.0, 1.0, USUAL_ANGLE, 1.0, False, 1, "structured_light", 0.0, False, 0.0))
 # seeds: method text -> number of seeds, from FIRST_SEED on.
 Experiment = namedtuple("Experiment", "part recipe seeds repeat")
 Key = namedtuple("Key", "recipe seed method repeat")

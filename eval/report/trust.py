@@ -12,11 +12,13 @@ BINS = 10
 Bin = namedtuple("Bin", "count confidence right")
 PARTS = ("total", "origin", "axis", "radius", "half_angle")  # see eval/nees.h
 CALIBRATED = (0.8, 1.2)
-FRAMES = ("tabletop", "clutter", "household", "heap", "hall")  # sets of depth frames: noise of neighbours is alike there
+# Sets of depth frames: noise of neighbours is alike there.
+FRAMES = ("tabletop", "clutter", "household", "heap", "hall")
 CUT_OUT = "objects"
 SCENES, DEPTH_FRAMES, SHUFFLED = "scenes", "depth frames", "shuffled frames"
 CUT_OUTS, NOISY, GRAINY = "cut out of frames", "frames with more noise", "frames with noise in grains"
 OTHER_SENSORS = "frames of other sensors, and with blots"
+MOVED, VOXELS = "frames in a robot's frame", "frames in voxels"
 
 
 def detections(lines):
@@ -24,16 +26,26 @@ def detections(lines):
     return [found for line in lines for found in line.get("detections", ())]
 
 
+def is_right(found):
+    """Whether a detection is right; None for what says nothing. What lies on a shape that need not be found is right
+    when it has its kind: without these, all that is wrong would count and not all that is right, least of all where
+    confidence is low, as it is of what is small or hardly seen."""
+    if found["verdict"] != "no matter":
+        return found["verdict"] == "right"
+    return found["on"] == found["kind"] if "on" in found else None
+
+
 def reliability(lines):
-    """BINS bins of equal width over the confidence; detections of what need not be found do not count."""
+    """BINS bins of equal width over the confidence."""
     sums = [[0, 0.0, 0] for _ in range(BINS)]
     for found in detections(lines):
-        if "confidence" not in found or found["verdict"] == "no matter":
+        right = is_right(found)
+        if "confidence" not in found or right is None:
             continue
         one = sums[min(int(found["confidence"] * BINS), BINS - 1)]
         one[0] += 1
         one[1] += found["confidence"]
-        one[2] += found["verdict"] == "right"
+        one[2] += right
     return [Bin(n, total / n if n else None, right / n if n else None) for n, total, right in sums]
 
 
@@ -56,11 +68,17 @@ def normalised_error(lines, kind, part):
 def group_of(line):
     """Name of the group that a cloud belongs to: paper-like scenes, depth frames, and what is unlike these. Frames that
     were shuffled have no rows any more, and with these the detector no longer sees whose pixels are next to each other;
-    in grains noise errs alike in neighbours, farther than covariances expect, and other sensors bend what they see."""
+    nor do those that a voxel grid averaged, which err less than it expects; of those in another frame than the camera's
+    it does not know how they were seen; in grains noise errs alike in neighbours, farther than covariances expect, and
+    other sensors bend what they see."""
     if line["set"] == CUT_OUT:
         return CUT_OUTS
     if line["set"] not in FRAMES:
         return SCENES
+    if line.get("robot_frame"):
+        return MOVED
+    if line.get("voxel", 0.0) > 0.0:
+        return VOXELS
     if line.get("shuffle"):
         return SHUFFLED
     if line.get("sensor", "structured_light") != "structured_light" or line.get("blots", 0.0) > 0.0:
@@ -72,7 +90,8 @@ def group_of(line):
 
 def groups(lines):
     """Lines with detections by the name of their group."""
-    chosen = {name: [] for name in (SCENES, DEPTH_FRAMES, SHUFFLED, CUT_OUTS, NOISY, GRAINY, OTHER_SENSORS)}
+    chosen = {name: [] for name in (SCENES, DEPTH_FRAMES, SHUFFLED, VOXELS, MOVED, CUT_OUTS, NOISY, GRAINY,
+                                 OTHER_SENSORS)}
     for line in lines:
         chosen[group_of(line)].append(line)
     return {name: some for name, some in chosen.items() if detections(some)}
@@ -90,8 +109,8 @@ def reliability_table(lines):
         rows += [("%.1f to %.1f" % (k / BINS, (k + 1) / BINS),
                   [cell(one.count, 0), cell(one.confidence, 3), cell(one.right, 3)]) for k, one in enumerate(bins)]
     return Table("reliability", "Confidence",
-                 "Detections of what need not be found do not count. Right: of the right type, and it and the true "
-                 "shape share 60 % of the points of both.",
+                 "Right: of the right type, and it and the true shape share 60 % of the points of both; on a shape "
+                 "that need not be found: of its type.",
                  [("", 3)], ["detections", "mean confidence", "share right"], rows)
 
 

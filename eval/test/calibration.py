@@ -23,10 +23,10 @@ def made_up(weights, count, seed=1):
     return columns, right
 
 
-def evidence(right, random):
+def evidence(right, random, own_noise=0.0):
     """Numbers that tell right from wrong, but not surely."""
     return [40.0 + 60.0 * right + 40.0 * random.random(), 0.7, 0.5 * random.random() - 0.2 * right + 0.2, 0.1, 0.1, 0.8,
-            0.3, 0.1 + 0.1 * random.random(), 0.0, 0.0]
+            0.3, 0.1 + 0.1 * random.random(), own_noise, 0.0]
 
 
 def found(kind, verdict, numbers=(50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2, 0.0, 0.0), **more):
@@ -51,6 +51,12 @@ def test_a_weight_of_the_wrong_sign_is_left_out():
     columns, right = made_up([0.0, 1.0, -1.0], 2000)
     weights = logistic.fit(columns, right, 1.0, signs=(0, 1, 1))
     assert weights[2] == 0.0 and np.allclose(weights[:2], logistic.fit(columns[:, :2], right, 1.0))
+
+
+def test_a_feature_that_is_never_there_has_no_weight():
+    columns, right = made_up([0.0, 1.0, -1.0], 200)
+    columns[:, 2] = 0.0
+    assert logistic.fit(columns, right, 1.0, towards=np.array([0.0, 0.5, 0.5]))[2] == 0.0
 
 
 def test_a_large_penalty_keeps_weights_where_they_are_wanted():
@@ -86,11 +92,7 @@ def test_measures_of_known_answers():
     assert abs(logistic.calibration_error(sure, right) - (0.1 + 0.1 + 0.2) / 4) < 1e-12
 
 
-def test_what_need_not_be_found_is_right_when_its_kind_is():
-    assert calibration.is_right(found("cone", "right")) == 1
-    assert calibration.is_right(found("cone", "wrong", on="cone")) == 0
-    assert calibration.is_right(found("cone", "no matter", on="cone")) == 1
-    assert calibration.is_right(found("cone", "no matter", on="cylinder")) == 0
+def test_only_detections_that_say_something_are_cases():
     silent = {"kind": "plane", "verdict": "right"}
     cases = calibration.cases_of([line(detections=[found("cone", "right"), silent, found("plane", "no matter")])])
     assert len(cases.right) == 1 and cases.numbers.shape == (1, len(calibration.EVIDENCE))
@@ -98,17 +100,64 @@ def test_what_need_not_be_found_is_right_when_its_kind_is():
 
 def test_weights_of_every_kind_become_rows_of_the_core():
     random = np.random.default_rng(2)
-    detections = [found(kind, "right" if right else "wrong", evidence(right, random))
-                  for kind in calibration.KINDS for right in (0, 1) * 50]
+    detections = [found(kind, "right" if right else "wrong", evidence(right, random, own_noise))
+                  for kind in calibration.KINDS for own_noise in (0.0, 1.0) for right in (0, 1) * 50]
     cases = calibration.cases_of([line(detections=detections)])
     weights = calibration.fit(cases)
     probability = calibration.probabilities(weights, cases)
-    assert set(weights) == set(calibration.KINDS) and logistic.area_under_curve(probability, cases.right) > 0.9
-    rows = calibration.weights_text(weights).splitlines()[1:-1]
-    assert [row.split()[-1] for row in rows] == list(calibration.KINDS)
-    assert all(row.count(",") == calibration.features(cases).shape[1] for row in rows)
+    assert all(set(of_kinds) == set(calibration.KINDS) for of_kinds in weights.values())
+    assert logistic.area_under_curve(probability, cases.right) > 0.9
+    text = calibration.weights_text({own: {kind: 10.0 * own + calibration.KINDS.index(kind) + np.arange(8) / 100
+                                           for kind in calibration.KINDS} for own in (0, 1)})
+    camera, own_noise = text.split("constexpr Weights ")[1:]
+    assert camera.startswith("kOfDepthCameras = {{\n    {{0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07}},  // plane\n")
+    assert own_noise.startswith("kOfOwnNoise = {{\n    {{10, 10, 10, 10, 10, 10.1, 10.1, 10.1}},  // plane\n")
+    assert [row.split()[-1] for row in camera.splitlines()[1:5]] == list(calibration.KINDS)
+    assert len(weights[0]["plane"]) == calibration.features(cases).shape[1] == 8
     assert "held out" in tables.markdown(calibration.quality_table({"held out": (probability, cases)}))
-    assert len(calibration.threshold_table(probability, cases).rows) == 5
+
+
+def test_tables_tell_whose_noise_it_is():
+    # Of depth cameras three planes, of which two are right; with noise of their own two, none of them right.
+    of_own = (50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2, 1.0, 0.0)
+    cases = calibration.cases_of([line(detections=[found("plane", "right"), found("plane", "wrong"),
+                                                   found("plane", "right"), found("plane", "wrong", of_own),
+                                                   found("plane", "wrong", of_own)])])
+    probability = np.array([0.8, 0.6, 0.4, 0.9, 0.2])
+    rows = calibration.quality_table({"some": (probability, cases)}).rows
+    assert [label for label, cells in rows if not cells] == ["some, noise of depth cameras", "some, the clouds' own noise"]
+    counts = [(label, cells[0].value, round(cells[1].value, 1)) for label, cells in rows if cells]
+    assert counts == [("all", 3, 66.7), ("plane", 3, 66.7), ("all", 2, 0.0), ("plane", 2, 0.0)]
+    thresholds = calibration.threshold_table(probability, cases).rows
+    # Above 0.5: one right and one wrong, half of the right ones are kept. Where none is right nothing is said.
+    assert [label for label, _ in thresholds] == ["noise of depth cameras", "all", "plane", "the clouds' own noise"]
+    assert [cell.value for cell in thresholds[1][1][4:6]] == [50.0, 50.0]
+
+
+def test_frames_in_a_robots_frame_are_in_the_mix():
+    moved = {recipe.set for recipe, _, _ in calibration.mix() if recipe.robot_frame}
+    assert moved == {"tabletop", "clutter", "household", "heap", "hall"}
+
+
+def test_clouds_with_noise_of_their_own_have_weights_of_their_own():
+    # There what is against a shape tells nothing, and inliers do.
+    random = np.random.default_rng(3)
+    detections = []
+    for kind in calibration.KINDS:
+        for right in (0, 1) * 500:
+            detections.append(found(kind, "right" if right else "wrong", evidence(right, random)))
+            numbers = evidence(right, random, own_noise=1.0)
+            numbers[2] = random.random()
+            detections.append(found(kind, "right" if right else "wrong", numbers))
+    cases = calibration.cases_of([line(detections=detections)])
+    weights = calibration.fit(cases)
+    for kind in calibration.KINDS:
+        assert weights[0][kind][3] < 2.0 * weights[1][kind][3] <= 0.0, (kind, weights)
+    for own in (0, 1):
+        some = calibration.part(cases, calibration.has_noise(cases, own))
+        assert len(some.right) == len(cases.right) / 2
+        alone = calibration.probabilities({own: weights[own]}, some)
+        assert (alone == calibration.probabilities(weights, cases)[calibration.has_noise(cases, own)]).all()
 
 
 def test_what_is_against_many_samples_counts_less_of_planes_and_balls():
@@ -134,7 +183,7 @@ def expect_that_it_speaks(name, kinds):
             numbers[column] = number if kind in kinds else 0.0
             detections.append(found(kind, "right" if is_right else "wrong", numbers))
     cases = calibration.cases_of([line(detections=detections)])
-    weights = calibration.fit(cases)
+    weights = {0: calibration.fit_kinds(cases, calibration.PENALTY)}
     numbers = cases.numbers.copy()
     numbers[:, column] = 0.0
     speaks = cases.numbers[:, column] > 0.0
@@ -144,20 +193,14 @@ def expect_that_it_speaks(name, kinds):
     assert np.allclose(with_it[~speaks], without[~speaks])
 
 
-def test_noise_of_its_own_speaks_for_planes():
-    expect_that_it_speaks("own_noise", ("plane",))
-    random = np.random.default_rng(5)
-    numbers = evidence(1.0, random)
-    numbers[calibration.EVIDENCE.index("own_noise")] = 1.0
-    assert calibration.features(calibration.cases_of([line(detections=[found("cone", "right", numbers)])]))[0, 7] == 0.0
-
-
 def test_that_they_stand_speaks_for_tubes_and_cones():
     expect_that_it_speaks("stands", ("cylinder", "cone"))
 
 
 def test_a_kind_without_wrong_ones_cannot_be_fitted():
-    detections = [found(kind, verdict) for kind in calibration.KINDS for verdict in ("right", "wrong")]
+    of_own = (50.0, 0.7, 0.1, 0.1, 0.1, 0.8, 0.3, 0.2, 1.0, 0.0)
+    detections = [found(kind, verdict, *numbers) for numbers in ((), (of_own,)) for kind in calibration.KINDS
+                  for verdict in ("right", "wrong")]
     assert calibration.fit(calibration.cases_of([line(detections=detections)])) is not None
     assert calibration.fit(calibration.cases_of([line(detections=detections[:-1])])) is None
 

@@ -46,6 +46,7 @@ for seed in range(first, first + count):
                               keep=float(value["--keep"]), uneven=float(value.get("--uneven", 1)),
                               shuffle="--shuffle" in sys.argv, noise_grain=int(value.get("--noise-grain", 1)),
                               sensor=value.get("--sensor", "structured_light"), blots=float(value.get("--blots", 0)),
+                              robot_frame="--robot-frame" in sys.argv, voxel=float(value.get("--voxel", 0)),
                               all=counts(truths=2, found=2, correct=1, typed_correct=1))), flush=True)
 """ % HERE
 COMMIT = {"commit": "c1", "cpu": "cpu 1", "date": "2026-01-01"}
@@ -105,6 +106,17 @@ def test_other_commits_and_cpus_are_not_mixed():
             assert "--fresh" in str(error) and ("c0" in str(error) or "cpu 2" in str(error))
 
 
+def test_a_call_asks_for_all_of_its_recipe():
+    def arguments(**unusual):
+        return measure.command_of("compare", plan.Call(plan.Recipe("tabletop", **unusual), 1, 1, ("default",), 1, 1.0))
+    usual = arguments()
+    for unusual, wanted in (({"shuffle": True}, ["--shuffle"]), ({"robot_frame": True}, ["--robot-frame"]),
+                            ({"voxel": 0.005}, ["--voxel", "0.005"]), ({"uneven": 3.0}, ["--uneven", "3.0"]),
+                            ({"noise_grain": 5}, ["--noise-grain", "5"]), ({"sensor": "stereo"}, ["--sensor", "stereo"]),
+                            ({"blots": 0.2}, ["--blots", "0.2"])):
+        assert [text for text in arguments(**unusual) if text not in usual] == wanted, unusual
+
+
 def test_an_answer_to_another_question_is_refused():
     call = plan.Call(plan.Recipe("parts"), 1, 1, ("default-512=preset:default,samples=512",), 2, 1.0)
     good = store.stamped(dict(kept("default-512"), set="parts"), call, COMMIT)
@@ -116,7 +128,8 @@ def test_an_answer_to_another_question_is_refused():
         assert "paper" in str(error)
     for other in ({"set": "tabletop"}, {"seed": 2}, {"sigma": 0.02}, {"noise_scale": 2.0}, {"outliers": 0.1},
                   {"keep": 0.5}, {"keep": None}, {"uneven": 10.0}, {"shuffle": True}, {"noise_grain": 5},
-                  {"sensor": "stereo"}, {"blots": 0.1}):
+                  {"sensor": "stereo"}, {"blots": 0.1}, {"robot_frame": True},
+                  {"voxel": 0.005}):
         try:
             store.stamped(dict(kept("default-512"), **{"set": "parts", **other}), call, COMMIT)
             raise AssertionError("took %r" % other)

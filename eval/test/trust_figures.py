@@ -30,11 +30,19 @@ def test_a_bin_tells_what_it_holds():
     assert close(bins[9].right, 2 / 3) and close(bins[9].confidence, 2.9 / 3) and bins[0].right == 0
 
 
-def test_what_does_not_matter_or_says_nothing_is_left_out():
+def test_what_says_nothing_is_left_out():
     silent = {"kind": "plane", "verdict": "right"}
     lines = [line(detections=[found(0.5, "no matter"), silent]), {"set": "paper-mixed"}]
     assert sum(one.count for one in trust.reliability(lines)) == 0
     assert trust.calibration_error(trust.reliability(lines)) is None
+
+
+def test_what_need_not_be_found_is_right_when_its_kind_is():
+    assert trust.is_right(found(0.9, "right", "cone"))
+    assert not trust.is_right(dict(found(0.9, "wrong", "cone"), on="cone"))
+    alike, other = (dict(found(0.9, "no matter", "cone"), on=kind) for kind in ("cone", "cylinder"))
+    assert trust.is_right(alike) and not trust.is_right(other)
+    assert trust.reliability([line(detections=[alike, other])])[9] == trust.Bin(2, 0.9, 0.5)
 
 
 def test_calibration_error_is_weighted_by_the_counts():
@@ -69,6 +77,14 @@ def test_depth_frames_stand_apart():
     assert trust.calibration_error(trust.reliability(groups["depth frames"])) > 0.89
     assert [label for label, cells in trust.reliability_table(lines).rows if not cells] == [
         "scenes: expected calibration error 0.100", "depth frames: expected calibration error 0.900"]
+
+
+def test_frames_in_a_robots_frame_stand_apart():
+    lines = [line(set="tabletop", robot_frame=True, shuffle=shuffle, detections=[found(0.9, "right")])
+             for shuffle in (False, True)]
+    lines.append(line(set="tabletop", voxel=0.005, detections=[found(0.9, "right")]))
+    assert {name: len(some) for name, some in trust.groups(lines).items()} == {"frames in a robot's frame": 2,
+                                                                               "frames in voxels": 1}
 
 
 def test_frames_of_noisier_cameras_stand_apart():
