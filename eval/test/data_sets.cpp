@@ -228,7 +228,7 @@ TEST(Recipe, VoxelsHoldTheMeanOfTheirPoints) {
     ASSERT_NEAR(input.cloud.normal(i).norm(), 1.0, 1e-5) << i;
   }
   EXPECT_EQ(input.scored.size(), all.scored.size()) << "scored on all points";
-  EXPECT_EQ(describe(recipe), "sigma 0.01, voxels 0.05");
+  EXPECT_EQ(describe(recipe), "sigma 0.005, voxels 0.05");
   recipe.voxel = 0.0005;
   EXPECT_THROW(makeLabelledCloud(recipe), std::invalid_argument);
 }
