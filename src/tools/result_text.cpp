@@ -114,9 +114,18 @@ std::string rangeText(const DepthRange& range) {
   return text;
 }
 
-/// Unlike the detector, this knows whether points were not measured or cut away.
-std::string emptyText(const io::FileReport& report, const Cloud& whole, const DepthRange& range) {
+bool anyKind(const Params& params) {
+  return params.detect_planes || params.detect_spheres || params.detect_cylinders || params.detect_cones;
+}
+
+/// Unlike the detector, this knows whether points were not measured or cut away, and whether anything was looked for.
+std::string emptyText(const io::FileReport& report, const DetectInput& input) {
+  const Cloud& whole = input.seen();
+  const DepthRange& range = input.range;
   const Detections& found = report.detections;
+  if (found.status == Status::ok && !anyKind(input.params)) {
+    return "all kinds are off (detect_planes, detect_spheres, detect_cylinders, detect_cones)";
+  }
   const unsigned cut = whole.valid_count - found.points_used;
   if (whole.valid_count == 0) return format("none of the %zu points is measured", whole.size());
   if (cut == 0 || found.status == Status::ok) return io::reasonText(found);
@@ -135,7 +144,7 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
                             effortText(report).c_str(), found.scene_diameter);
   text += notesText(found, input);
   if (found.items.empty()) {
-    text += "  nothing found: " + emptyText(report, input.seen(), input.range) + "\n";
+    text += "  nothing found: " + emptyText(report, input) + "\n";
   } else {
     text += headingText();
   }

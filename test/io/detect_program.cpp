@@ -112,6 +112,12 @@ TEST_F(DetectProgram, TellsTooFewPointsFromAllInOnePlace) {
   EXPECT_NE(out.find("at least 16 are needed"), std::string::npos) << out;
 }
 
+TEST_F(DetectProgram, SaysThatAllKindsAreOff) {
+  EXPECT_EQ(run(ball + " --detect_planes false --detect_spheres false --detect_cylinders false --detect_cones false"),
+            0);
+  EXPECT_NE(out.find("nothing found: all kinds are off (detect_planes, "), std::string::npos) << out;
+}
+
 TEST_F(DetectProgram, NamesTheDepthRangeThatCutAllPointsAway) {
   EXPECT_EQ(run(ball + " --min_depth 0.25 --max_depth 0.5"), 0);  // the nearest is at 0.9 m, the wall at 1.3 m
   for (const char* part : {"nothing found: all 4025", "0.9", "1.3 m", "min_depth 0.25 m", "max_depth 0.5 m"}) {
