@@ -98,9 +98,10 @@ void leaveOutStrays(const Cloud& cloud, View& view) {
 }
 
 /// Of two points of one surface in a pixel the first or the last one, half and half: in lists that are ordered by
-/// depth, as those of voxel grids, the first one would always be the one that noise moved towards the sensor. Planes of
-/// tables in voxels of 5 mm were .5 mm too near, as is .03 mm off now (compare --set tabletop --seeds 300:20 --voxel
-/// 0.005).
+/// depth, as those of voxel grids, the first one is always the one that noise moved towards the sensor. By it planes of
+/// tables in voxels of 5 mm were .5 mm too near, without .03 mm off (compare --set tabletop --seeds 300:20 --voxel
+/// 0.005). With a fifth of the pixels (--keep 0.2 --seeds 2400:60 --algorithm-seeds 1,2) precision and recall are 95.5
+/// / 100 %, with the first one 96.7 / 99.3, with the one nearest to the pixel's middle 93.9 / 99.7.
 bool firstStays(std::uint32_t pixel) { return (pixel * 2654435761U >> 16 & 1U) != 0; }
 
 }  // namespace

@@ -148,6 +148,15 @@ TEST_F(DetectProgram, NamesBadFilesAndGoesOnWithTheOthers) {
   EXPECT_TRUE(hasSphere(json[2], 0.1));
 }
 
+TEST_F(DetectProgram, SaysWhichOptionMayBeMeantByAnUnknownOne) {
+  EXPECT_EQ(run(ball + " --min_radus 0.1"), 2);
+  EXPECT_NE(err.find("--min_radus; did you mean '--min_radius'? (see --help)"), std::string::npos) << err;
+  EXPECT_EQ(run(ball + " --pictur=a.png"), 2);
+  EXPECT_NE(err.find("; did you mean '--picture'?"), std::string::npos) << err;
+  EXPECT_EQ(run(ball + " --nothing-like-it"), 2);
+  EXPECT_EQ(err.find("did you mean"), std::string::npos) << err;
+}
+
 TEST_F(DetectProgram, WritesNoJsonForASingleBadFile) {
   EXPECT_EQ(run(broken + " --json -"), 1);
   EXPECT_EQ(out, "");
