@@ -13,8 +13,8 @@ COLOURS = {"total": "#0b62b8", "origin": "#7fb3e6", "axis": "#e8820c", "radius":
 
 
 def title_of(group, error):
-    """In lines that are no wider than a panel of seven."""
-    return "%s\nECE %.3f" % (textwrap.fill(group, 16), error)
+    """In lines that are no wider than a panel of nine."""
+    return "%s\nECE %.3f" % (textwrap.fill(group, 11), error)
 
 
 def reliability(lines, folder):
