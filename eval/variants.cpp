@@ -76,29 +76,27 @@ void shufflePoints(Cloud& cloud, std::uint64_t seed) {
 
 void averageInVoxels(Cloud& cloud, double side) {
   struct Sum {
-    double values[6] = {};
-    std::size_t points = 0;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+    double points = 0.0;
   };
-  std::map<std::array<long, 3>, Sum> voxels;
+  std::map<std::array<double, 3>, Sum> voxels;
   const bool normals = cloud.hasNormals();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) continue;
-    const Eigen::Vector3d point = cloud.point(i), normal = normals ? cloud.normal(i) : Eigen::Vector3d(0, 0, 0);
-    Sum& sum = voxels[{std::lround(std::floor(point.z() / side)), std::lround(std::floor(point.y() / side)),
-                       std::lround(std::floor(point.x() / side))}];
-    for (int k = 0; k < 3; ++k) sum.values[k] += point[k], sum.values[3 + k] += normal[k];
-    ++sum.points;
+    const Eigen::Vector3d voxel = (cloud.point(i) / side).array().floor();
+    Sum& sum = voxels[{voxel.z(), voxel.y(), voxel.x()}];
+    sum.point += cloud.point(i);
+    if (normals) sum.normal += cloud.normal(i);
+    sum.points += 1.0;
   }
-  std::vector<float>* const lists[] = {&cloud.x, &cloud.y, &cloud.z, &cloud.nx, &cloud.ny, &cloud.nz};
-  for (std::vector<float>* list : lists) list->clear();
+  cloud.reset(static_cast<std::uint32_t>(voxels.size()), 1, normals);
+  std::size_t i = 0;
   for (const auto& [voxel, sum] : voxels) {
-    for (int k = 0; k < 3; ++k)
-      lists[k]->push_back(static_cast<float>(sum.values[k] / static_cast<double>(sum.points)));
-    const double length = std::hypot(sum.values[3], sum.values[4], sum.values[5]);
-    for (int k = 3; normals && k < 6; ++k) lists[k]->push_back(static_cast<float>(sum.values[k] / length));
+    const Eigen::Vector3f mean = (sum.point / sum.points).cast<float>(), normal = sum.normal.cast<float>();
+    cloud.setPoint(i, mean.x(), mean.y(), mean.z(), DepthRange());
+    if (normals) cloud.setNormal(i, normal.x(), normal.y(), normal.z());
+    ++i;
   }
-  cloud.width = static_cast<std::uint32_t>(voxels.size()), cloud.height = 1;
-  cloud.countPoints();
 }
 
 Eigen::Isometry3d robotFromSensor() {

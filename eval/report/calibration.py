@@ -162,41 +162,47 @@ def weights_text(weights):
     return "\n".join(texts)
 
 
+def by_noise_and_kind(cases):
+    """Whose noise it is, and for "all" and each kind of which cases it holds."""
+    for own, whose in WHOSE_NOISE.items():
+        yield whose, [(kind, has_noise(cases, own) & is_kind(cases, kind)) for kind in ("all",) + KINDS]
+
+
+def quality_cells(p, right):
+    return [cell(len(right), 0), cell(100.0 * right.mean()), cell(logistic.area_under_curve(p, right), 3),
+            cell(logistic.log_loss(p, right), 3), cell(logistic.calibration_error(p, right), 3)]
+
+
 def quality_table(parts):
     """Rows for each kind and all, by whose noise it is. parts: name -> (probabilities, cases)."""
     rows = []
     for name, (probability, cases) in parts.items():
-        for own, whose in WHOSE_NOISE.items():
+        for whose, kinds in by_noise_and_kind(cases):
             rows.append(("%s, %s" % (name, whose), None))
-            for kind in ("all",) + KINDS:
-                chosen = has_noise(cases, own) & is_kind(cases, kind)
-                p, right = probability[chosen], cases.right[chosen]
-                if len(right):
-                    rows.append((kind, [cell(len(right), 0), cell(100.0 * right.mean()), cell(
-                        logistic.area_under_curve(p, right), 3), cell(logistic.log_loss(p, right), 3),
-                        cell(logistic.calibration_error(p, right), 3)]))
+            rows += [(kind, quality_cells(probability[chosen], cases.right[chosen]))
+                     for kind, chosen in kinds if chosen.any()]
     return Table("calibration", "How well the confidence tells right from wrong",
                  "Right: percent of the detections when nothing is refused. AUC: chance that a right one has more "
                  "confidence than a wrong one. ECE: expected calibration error.",
                  [("", 5)], ["detections", "right", "AUC", "log loss", "ECE"], rows)
 
 
+def threshold_cells(p, right):
+    cells = []
+    for threshold in THRESHOLDS:
+        kept = p >= threshold
+        cells += [cell(100.0 * right[kept].mean() if kept.any() else None),
+                  cell(100.0 * right[kept].sum() / right.sum())]
+    return cells
+
+
 def threshold_table(probability, cases):
     """What is left above a threshold: precision, and the share of the right ones that is kept."""
     rows = []
-    for own, whose in WHOSE_NOISE.items():
+    for whose, kinds in by_noise_and_kind(cases):
         rows.append((whose, None))
-        for kind in ("all",) + KINDS:
-            chosen = has_noise(cases, own) & is_kind(cases, kind)
-            p, right = probability[chosen], cases.right[chosen]
-            if not right.sum():
-                continue
-            cells = []
-            for threshold in THRESHOLDS:
-                kept = p >= threshold
-                cells += [cell(100.0 * right[kept].mean() if kept.any() else None),
-                          cell(100.0 * right[kept].sum() / right.sum())]
-            rows.append((kind, cells))
+        rows += [(kind, threshold_cells(probability[chosen], cases.right[chosen]))
+                 for kind, chosen in kinds if cases.right[chosen].any()]
     return Table("thresholds", "Precision and share of the right ones kept over min_confidence", "Percent.",
                  [("", 1)] + [(">= %g" % threshold, 2) for threshold in THRESHOLDS],
                  ["precision", "kept"] * len(THRESHOLDS), rows)

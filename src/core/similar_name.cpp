@@ -25,8 +25,7 @@ std::size_t changesBetween(const std::string& one, const std::string& other) {
   return row.back();
 }
 
-}  // namespace
-
+/// The name that is meant, or empty.
 std::string similarName(const std::string& name, const std::vector<std::string>& names) {
   constexpr std::size_t kShort = 4;  // letters: of fewer nothing can be told
   if (name.size() < kShort) return "";
@@ -41,6 +40,8 @@ std::string similarName(const std::string& name, const std::vector<std::string>&
       std::find_if(names.begin(), names.end(), [&](const std::string& other) { return other.rfind(name, 0) == 0; });
   return longer == names.end() ? "" : *longer;
 }
+
+}  // namespace
 
 std::string similarNameHint(const std::string& name, const std::vector<std::string>& names) {
   const std::string similar = similarName(name, names);

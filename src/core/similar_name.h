@@ -8,11 +8,9 @@
 
 namespace primitect {
 
-/// The name that is spelled most like this one: it begins with it, or at most one letter in six is missing, too much or
-/// another (one letter of short names). Empty where none is, and for fewer than four letters.
-std::string similarName(const std::string& name, const std::vector<std::string>& names);
-
-/// "; did you mean 'max_depth'?", or empty: for the end of a message.
+/// "; did you mean 'max_depth'?", for the end of a message: the name that is spelled most like this one. It begins with
+/// it, or at most one letter in six is missing, too much or another (one letter of short names). Empty where none is,
+/// and for fewer than four letters.
 std::string similarNameHint(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace primitect
