@@ -87,8 +87,9 @@ const std::vector<Entry>& entries() {
   return kEntries;
 }
 
-[[noreturn]] void refuseUnknown(const std::string& name, const std::vector<ParamInfo>& table) {
-  std::vector<std::string> names;
+/// names: that stand beside those of the table.
+[[noreturn]] void refuseUnknown(const std::string& name, const std::vector<ParamInfo>& table,
+                                std::vector<std::string> names = {}) {
   for (const ParamInfo& info : table) names.push_back(info.name);
   throw std::invalid_argument("unknown parameter '" + name + "'" + similarNameHint(name, names));
 }
@@ -96,7 +97,7 @@ const std::vector<Entry>& entries() {
 const Entry& entryOf(const std::string& name) {
   const auto found =
       std::find_if(entries().begin(), entries().end(), [&name](const Entry& entry) { return entry.info.name == name; });
-  if (found == entries().end()) refuseUnknown(name, paramTable());
+  if (found == entries().end()) refuseUnknown(name, paramTable(), {"preset"});
   return *found;
 }
 

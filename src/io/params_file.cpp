@@ -74,6 +74,7 @@ ParamsFile readParamsFile(const std::string& path) {
   if (root.IsNull()) return file;
   if (!root.IsMap()) refuse(path, "expected lines 'parameter: value'");
   std::set<std::string> seen;
+  std::string faults;
   for (const auto& entry : root) {
     if (!entry.first.IsScalar()) refuse(path, "a key is not a name");
     const std::string name = entry.first.Scalar();
@@ -81,9 +82,10 @@ ParamsFile readParamsFile(const std::string& path) {
     try {
       readEntry(name, entry.second, file);
     } catch (const std::invalid_argument& error) {
-      refuse(path, error.what());
+      faults += (faults.empty() ? "" : "; and: ") + std::string(error.what());
     }
   }
+  if (!faults.empty()) refuse(path, faults);
   return file;
 }
 

@@ -64,9 +64,16 @@ LoadedParams loadParams(const std::map<std::string, ParamValue>& values) {
   LoadedParams loaded;
   loaded.preset = presetOf(values);
   loaded.params = presetParams(loaded.preset);
+  std::string faults;
   for (const auto& [name, value] : values) {
-    if (name != "preset" && !isNodeName(name)) setParam(loaded.params, name, value);
+    if (name == "preset" || isNodeName(name)) continue;
+    try {
+      setParam(loaded.params, name, value);
+    } catch (const std::invalid_argument& error) {
+      faults += (faults.empty() ? "" : "; and: ") + std::string(error.what());
+    }
   }
+  if (!faults.empty()) throw std::invalid_argument(faults);
   checkParams(loaded.params);
   return loaded;
 }

@@ -27,7 +27,8 @@ struct LoadedParams {
 };
 
 /// The preset first, then the explicit values on top of it.
-/// Throws std::invalid_argument naming parameter, value and range: unknown name, wrong type, out of range.
+/// Throws std::invalid_argument naming of all that is wrong parameter, value and range: unknown name, wrong type, out
+/// of range.
 LoadedParams loadParams(const std::map<std::string, ParamValue>& values);
 
 /// "max_depth: 3.0, samples: 4096": what differs from the preset; "none" if nothing does.

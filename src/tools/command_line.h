@@ -12,20 +12,36 @@
 
 namespace primitect::tools {
 
-/// "; did you mean '--max_depth'?" of the first option that there is not; empty where none is like it.
+/// "; did you mean '--max_depth'?" of the first option that there is not, with one dash or two; empty where none is
+/// like it.
 inline std::string meantOption(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   for (const std::string& text : app.remaining()) {
-    if (text.rfind("--", 0) == 0) return similarNameHint(text.substr(0, text.find('=')), names);
+    const std::string name = text.substr(0, text.find('='));
+    if (name.rfind("--", 0) == 0) return similarNameHint(name, names);
+    if (name.rfind('-', 0) == 0) return similarNameHint("-" + name, names);
   }
   return "";
 }
 
+/// Throws std::invalid_argument for "max_depth:=1", as nodes and launch files take it; it would be taken for a file.
+inline void refuseNodeArguments(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string text = argv[k];
+    const std::size_t name_end = text.find(":="), name_begin = text.find_first_not_of('_');
+    if (name_end == std::string::npos || text[0] == '-' || name_begin >= name_end) continue;
+    throw std::invalid_argument("'" + text + "' is how nodes and launch files are told; here it is '--" +
+                                text.substr(name_begin, name_end - name_begin) + " " + text.substr(name_end + 2) +
+                                "' (see --help)");
+  }
+}
+
 /// False when all is said (--help, --version). Throws std::invalid_argument, one line, for what is wrong.
 inline bool parseOrSay(CLI::App& app, int argc, char** argv) try {
+  refuseNodeArguments(argc, argv);
   app.parse(argc, argv);
   return true;
 } catch (const CLI::ParseError& error) {

@@ -72,6 +72,11 @@ TEST_F(ParamsFiles, AreRefusedForUnknownNames) {
   expectRefusal("preset:\n", {"preset"});
 }
 
+TEST_F(ParamsFiles, AreRefusedForAllThatIsWrongAtOnce) {
+  expectRefusal("max_dpth: 3.0\nsamples: 512\nmin_radus: 0.1\npreset: best\n",
+                {"'max_dpth'; did you mean 'max_depth'?; and: ", "'min_radus'", "preset"});
+}
+
 TEST_F(ParamsFiles, AreRefusedForValuesOutOfRange) {
   expectRefusal("max_depth: 1000\n", {"max_depth", "1000", "100"});
   expectRefusal("max_depth: .nan\n", {"max_depth"});

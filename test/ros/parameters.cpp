@@ -50,6 +50,10 @@ TEST(Parameters, AreRefusedWithNameValueAndRange) {
   expectRefused({{"inner/name", 3.0}}, {"inner/name"});
 }
 
+TEST(Parameters, AreRefusedForAllThatIsWrongAtOnce) {
+  expectRefused({{"max_dept", 3.0}, {"samples", 100.5}, {"rounds", 1}}, {"max_dept", "; and: ", "samples", "100.5"});
+}
+
 TEST(Parameters, LeaveNamesOfTheNodeAlone) {
   EXPECT_EQ(complaint({{"num_worker_threads", 4}, {"diagnostic_period", 1.0}}), "accepted");
 }
