@@ -19,7 +19,12 @@ namespace primitect::eval {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// What differs from a preset.
+struct Settings {
+  std::vector<std::pair<std::string, std::string>> values;
+  Steps left_out;
+};
 
 /// The paper's ablations: Drost*, and one feature switched off in turn.
 const std::map<std::string, std::string> kNamed = {{"default", "preset:default"},
@@ -40,26 +45,30 @@ double millisecondsSince(Clock::time_point start) {
 
 Detector detectorWith(const std::string& preset, const Settings& settings) {
   Params params = presetParams(preset);
-  for (const auto& [name, value] : settings) setParamFromText(params, name, value);
+  for (const auto& [name, value] : settings.values) setParamFromText(params, name, value);
+  params.left_out = settings.left_out;
   return Detector(params);
 }
 
-/// "preset:NAME,parameter=value,..."
+/// "preset:NAME,parameter=value,without:STEP,..."
 std::shared_ptr<Contestant> parseContestant(const std::string& text) {
   std::string preset = "default";
-  Settings given, scene = {{"min_depth", "0"}, {"max_depth", "0"}, {"orient_normals", "false"}};
+  Settings given, scene = {{{"min_depth", "0"}, {"max_depth", "0"}, {"orient_normals", "false"}}, {}};
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     const std::size_t equals = part.find('=');
     if (part.rfind("preset:", 0) == 0) {
       preset = part.substr(7);
+    } else if (part.rfind("without:", 0) == 0) {
+      given.left_out.add(stepOf(part.substr(8)));
     } else if (equals != std::string::npos) {
-      given.emplace_back(part.substr(0, equals), part.substr(equals + 1));
+      given.values.emplace_back(part.substr(0, equals), part.substr(equals + 1));
     } else {
-      throw std::invalid_argument("'" + part + "' is neither preset:NAME nor parameter=value");
+      throw std::invalid_argument("'" + part + "' is neither preset:NAME nor parameter=value nor without:STEP");
     }
   }
-  scene.insert(scene.end(), given.begin(), given.end());
+  scene.values.insert(scene.values.end(), given.values.begin(), given.values.end());
+  scene.left_out = given.left_out;
   return std::make_shared<Contestant>(Contestant{detectorWith(preset, given), detectorWith(preset, scene)});
 }
 

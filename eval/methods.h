@@ -32,7 +32,8 @@ struct Method {
   int algorithm_seed = 0;  ///< ours: see makeMethod()
 };
 
-/// Ours: "default", "paper", the ablations "b" to "e" of the paper, or NAME=preset:PRESET,parameter=value,...
+/// Ours: "default", "paper", the ablations "b" to "e" of the paper, or NAME=preset:PRESET,parameter=value,..., with
+/// without:STEP among them for each step of steps.def that is left out.
 /// Peers: see eval/peers/peers.h.
 /// algorithm_seed: of our random draw, whatever the text says; 0: that of the text. Peers and the truth ignore it.
 /// Throws std::invalid_argument naming the text and what is allowed.

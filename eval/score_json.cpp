@@ -10,6 +10,7 @@
 #include "eval/data_sets.h"
 #include "eval/nees.h"
 #include "eval/peers/peers.h"
+#include "primitect/steps.h"
 
 namespace primitect::eval {
 namespace {
@@ -147,12 +148,17 @@ std::string aboutJson() {
 #else
   const char* build = "with assertions: not for measuring time";
 #endif
+  Json steps = Json::array();
+  for (const StepInfo& step : stepTable()) {
+    steps.push_back({{"name", step.name}, {"stage", step.stage}, {"meaning", step.meaning}});
+  }
   return Json{{"compiler", std::string("GCC-compatible ") + __VERSION__},
               {"build", build},
               {"curve_step", kCurveStep},
               {"sets", dataSetNames()},
               {"evidence", kEvidenceNames},
-              {"peers", peerNames()}}
+              {"peers", peerNames()},
+              {"steps", steps}}
       .dump();
 }
 

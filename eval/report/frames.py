@@ -35,9 +35,8 @@ def detect_options(settings):
 
 
 def run_detect(program, paths, preset, scratch, options=()):
-    """Runs the program on all files at once; it leaves NAME.json and NAME.ply in scratch. Returns what went wrong."""
-    command = [program] + paths + ["--preset", preset, "--repeat", str(REPEAT), "--json", scratch + "/",
-                                   "--labels", scratch + "/", *options]
+    """Runs the program on all files at once; it leaves NAME.json in scratch. Returns what went wrong."""
+    command = [program] + paths + ["--preset", preset, "--repeat", str(REPEAT), "--json", scratch + "/", *options]
     try:
         done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                               timeout=60 + 20 * len(paths), errors="replace")
@@ -64,19 +63,25 @@ def read_report(path):
         raise ValueError("%s: no result: %s" % (os.path.basename(path), error)) from error
 
 
-def score_preset(frames, preset, scratch, out_dir, faults):
-    """Scores and draws all frames that have a result. Returns [(name, frame, result, image)]."""
-    entries = []
+def scored(frames, preset, scratch, faults):
+    """Name, frame and scored result of all frames that have one."""
     for name, frame in frames.items():
-        start, image = os.path.join(scratch, name), None
         try:
-            result = read_report(start + ".json")
+            result = read_report(os.path.join(scratch, name + ".json"))
             result.update(frame_scoring.score_frame(frame, result["detections"]))
         except (ValueError, KeyError, TypeError) as error:
             faults.append("preset %s, frame '%s': not scored: %s" % (preset, name, error))
             continue
+        yield name, frame, result
+
+
+def score_preset(frames, preset, scratch, out_dir, faults):
+    """Scores and draws all frames that have a result. Returns [(name, frame, result, image)]."""
+    entries = []
+    for name, frame, result in scored(frames, preset, scratch, faults):
+        image = None
         try:
-            image = frame_images.read_labelled_image(start + ".ply")
+            image = frame_images.read_labelled_image(os.path.join(scratch, name + ".ply"))
         except ValueError as error:
             faults.append("preset %s, frame '%s': scored, not drawn: %s" % (preset, name, error))
         result["picture"] = os.path.join(out_dir, "frame_%s_%s.png" % (name, preset))
@@ -170,6 +175,25 @@ def write_tables(out_dir, rows, summary):
         json.dump(summary, file, indent=1, ensure_ascii=False)
 
 
+def labelled_files(folder, faults):
+    """Labels by frame, and paths of the PCDs that have some. Raises ValueError when there are none."""
+    frames, said = frame_labels.read_labels(folder)
+    paths = files_of(folder, frames, said)
+    faults += said
+    if not paths:
+        raise ValueError("%s: no PCD with usable labels. %s" % (folder, " | ".join(said)))
+    return frames, paths
+
+
+def score(folder, detect_program, preset, options, faults):
+    """The figures of every labelled PCD of a folder, as summarise() gives them; faults grows. Raises ValueError as
+    score_and_draw()."""
+    frames, paths = labelled_files(folder, faults)
+    with tempfile.TemporaryDirectory() as scratch:
+        faults += run_detect(detect_program, paths, preset, scratch, options)
+        return summarise([(*entry, None) for entry in scored(frames, preset, scratch, faults)])
+
+
 def score_and_draw(folder, detect_program, out_dir, presets=("default", "paper"), options=()):
     """Scores and draws every labelled PCD of a folder with each preset. options: more of the program's arguments.
 
@@ -180,16 +204,14 @@ def score_and_draw(folder, detect_program, out_dir, presets=("default", "paper")
        used}.
     Raises ValueError naming file or program when there is nothing to score with.
     """
-    frames, faults = frame_labels.read_labels(folder)
-    paths = files_of(folder, frames, faults)
-    if not paths:
-        raise ValueError("%s: no PCD with usable labels. %s" % (folder, " | ".join(faults)))
+    faults = []
+    frames, paths = labelled_files(folder, faults)
     os.makedirs(out_dir, exist_ok=True)
     rows, summary = [], {"folder": os.path.basename(os.path.abspath(folder)), "frames": sorted(frames), "presets": {},
                          "pictures": {}, "sheets": {}, "contact_sheet": None, "faults": faults}
     for preset in presets:
         with tempfile.TemporaryDirectory() as scratch:
-            faults += run_detect(detect_program, paths, preset, scratch, options)
+            faults += run_detect(detect_program, paths, preset, scratch, ["--labels", scratch + "/", *options])
             entries = score_preset(frames, preset, scratch, out_dir, faults)
         summary["presets"][preset] = summarise(entries)
         summary["pictures"][preset] = {name: result["picture"] for name, _, result, _ in entries}

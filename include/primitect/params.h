@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "primitect/steps.h"
+
 namespace primitect {
 
 /// The parameters with their defaults. Name, range, unit and meaning: params.def, or paramTable().
@@ -25,6 +27,9 @@ struct Params {
 #undef PRIMITECT_INT
 #undef PRIMITECT_REAL
 #undef PRIMITECT_TEXT
+
+  /// Not in the table: only to learn what steps bring is any left out.
+  Steps left_out;
 };
 
 using ParamValue = std::variant<bool, int, double, std::string>;

@@ -47,6 +47,7 @@ List<Start> startsFor(const Start& own, const Moments& moments, double sigma, co
   };
   if (curvesEnough(kindOf(own.shape), curvature, rules.noise)) add(own.shape, own.concave, own.fitted);
   // From anywhere near, there is only one plane to come to.
+  if (params.left_out.has(Step::other_kinds) && !starts.empty()) return starts;
   if (starts.empty() || kindOf(starts[0].shape) != Kind::plane) add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {
     if (params.convexity == (concave ? "convex" : "concave")) continue;
@@ -132,7 +133,7 @@ class Fits {
       const bool holds = fit(start);
       own_holds = own_holds || (like_own(start) && holds);
     }
-    if (best_cylinder_) {
+    if (best_cylinder_ && has(Step::tapered)) {
       fit({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
     }
   }
@@ -176,7 +177,8 @@ class Fits {
     if (tried_ == Tried::to_win && !mayWin(agreed)) return true;
     best_agreement_ = std::max(best_agreement_, agreed);
     judge(*shape, start.concave);
-    if (const Plane* plane = std::get_if<Plane>(&*shape)) {
+    const Plane* const plane = std::get_if<Plane>(&*shape);
+    if (plane && has(Step::plane_by_normals)) {
       const auto by_normals = planeByNormals(*plane, moments_, points_.meanSigma());
       if (by_normals) judge(*by_normals, start.concave);
     }
@@ -196,6 +198,8 @@ class Fits {
     score(samples_, held_, 1.0, trial_, near_);
     use_(trial_, near_);
   }
+
+  bool has(Step step) const { return !rules_.limits.params.left_out.has(step); }
 
   /// Cones may begin at a cylinder that is none itself.
   void remember(const Start& cylinder, double agreed) {

@@ -32,8 +32,8 @@ bool liesOn(const Detection& curved, const List<std::uint32_t>& pixels, const Cl
 }  // namespace
 
 bool isPatchOf(const Labelled<Detection>& curved, const Labelled<Plane>& plane, const List<std::uint32_t>& pixels,
-               const Cloud& image, const std::vector<std::uint32_t>& labels, const NoiseModel& noise,
-               double most_times) {
+               const Cloud& image, const std::vector<std::uint32_t>& labels, const NoiseModel& noise) {
+  constexpr double kMostTimes = 1.4;
   if (!liesOn(curved.shape, pixels, image, noise)) return false;
   double to_curved = 0.0, to_plane = 0.0;
   for (std::size_t k = 0; k + 1 < pixels.size(); ++k) {
@@ -46,7 +46,7 @@ bool isPatchOf(const Labelled<Detection>& curved, const Labelled<Plane>& plane, 
       to_plane += above * above;
     }
   }
-  return to_curved < most_times * to_plane;
+  return to_curved < kMostTimes * to_plane;
 }
 
 }  // namespace primitect

@@ -92,7 +92,7 @@ class WindowSizes {
   double at_one_meter_, smallest_, largest_;
 };
 
-void fitWindows(const Cloud& image, int window_at_one_meter, NormalSource& source, Samples& samples) {
+void fitWindows(const Cloud& image, const Params& params, NormalSource& source, Samples& samples) {
   // With all of the grain of a block matcher, 7, precision on the tables that it sees is less by 3 %.
   constexpr double kMostSaid = 3.0;
   // Where normals are good, too, it would cost some shapes (compare --set tabletop
@@ -100,14 +100,15 @@ void fitWindows(const Cloud& image, int window_at_one_meter, NormalSource& sourc
   constexpr double kGood = 0.02, kPoor = 0.04;  // rad
   const ImageRays& rays = raysOf(image, source);
   const PixelPitch& pitch = pixelPitch(image, source);
-  const WindowSizes sizes(window_at_one_meter, rays, source);
+  const WindowSizes sizes(params.normal_window, rays, source);
   const ImageOfCamera camera = {image, rays, source.noise_scale, shareOfUsualWindows(rays)};
   const double grain = std::min(source.grain, kMostSaid);
+  const bool find_flying = !params.left_out.has(Step::flying_pixels);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::uint32_t pixel = samples.index[i];
     const Vec3 point = samples.point(i);
     const auto normal = windowNormal(image, pixel, point, sizes.at(point.z()), pitch, source.noise_scale);
-    if (!normal || fliesBetween(camera, pixel, point, normal->direction)) continue;
+    if (!normal || (find_flying && fliesBetween(camera, pixel, point, normal->direction))) continue;
     store(normal->direction, i, samples);
     placeNormal(normal->place, i, samples);
     const double usual = 1.0 + (source.usual_grain - 1.0) * ramp(kGood, kPoor, normal->sigma);
@@ -215,7 +216,7 @@ void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& sou
     if (anyNormal(samples) && source.neighbor_count <= 0) return;
   }
   if (source.neighbor_count <= 0 && isDepthImage(cloud)) {
-    return fitWindows(cloud, params.normal_window, source, samples);
+    return fitWindows(cloud, params, source, samples);
   }
   if (!source.neighbors) source.neighbors = std::make_unique<NeighborSearch>(cloud);
   const int count = source.neighbor_count > 0 ? source.neighbor_count : params.normal_neighbors;

@@ -32,11 +32,12 @@ std::optional<Hypothesis> Verification::alone(const List<std::uint32_t>& part, c
 /// that a tube or cone leads over become tubes.
 bool Verification::separate() {
   const HeldGains held = heldByChosen();
+  const bool tops = !params_.left_out.has(Step::level_tops), steps = !params_.left_out.has(Step::axis_steps);
   bool any = false;
   for (const Segment& segment : segments_) {
     const Kind kind = kindOf(segment.candidate.shape);
-    if (kind == Kind::plane && separateTops(segment, held)) any = true;
-    if (hasAxis(kind) && separateSteps(segment, held)) any = true;
+    if (tops && kind == Kind::plane && separateTops(segment, held)) any = true;
+    if (steps && hasAxis(kind) && separateSteps(segment, held)) any = true;
   }
   return any;
 }

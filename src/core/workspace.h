@@ -86,12 +86,7 @@ struct Detector::Workspace {
   /// The final numbers come from the points of the cloud.
   void measureOnCloud(const Cloud& whole);
 
-  // Between labels and measures: workspace_patches.cpp.
-
-  /// The points of planes along the flanks of tubes, to these.
-  void giveFlanksToCurved(List<LabelRun>& runs);
-
-  // Then: workspace_tops.cpp.
+  // Between labels and measures: workspace_tops.cpp.
 
   /// A plane for every height, where one leads over several tops.
   void takeTopsApart(const Cloud& whole, List<LabelRun>& runs);
@@ -124,8 +119,6 @@ struct Detector::Workspace {
   bool isSeen(const Segment& tube, const Cloud& cloud);
   void describeSegments(const List<Segment>& described, const Samples& of);
 
-  /// Of a curved shape that a part of a plane is a patch of: see isPatchOf().
-  static constexpr double kAsPlane = 1.4;
   struct PlaneInImage {
     std::size_t of;  ///< detection
     FacesApart faces;
@@ -153,8 +146,7 @@ struct Detector::Workspace {
   List<PlaneInImage> planesInImage(const List<LabelRun>& runs) const;
   bool endsBeforeTheBound(std::size_t plane) const;
   void findFaces(const List<LabelRun>& runs, std::size_t least, PlaneInImage& plane);
-  std::optional<std::size_t> curvedUnder(const Labelled<Plane>& plane, const List<std::uint32_t>& pixels,
-                                         double most_times = kAsPlane) const;
+  std::optional<std::size_t> curvedUnder(const Labelled<Plane>& plane, const List<std::uint32_t>& pixels) const;
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
   bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);
   List<std::size_t> mostPoints() const;

@@ -8,6 +8,18 @@
 
 namespace primitect {
 
+/// The curved shape (index of the detection) that these pixels of a plane, with this label, are a patch of.
+std::optional<std::size_t> Detector::Workspace::curvedUnder(const Labelled<Plane>& plane,
+                                                            const List<std::uint32_t>& pixels) const {
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    const Detection& item = result.items[k];
+    if (!kept[k] || kindOf(item.shape) == Kind::plane) continue;
+    const Labelled<Detection> curved = {item, static_cast<std::uint32_t>(k + 1)};
+    if (isPatchOf(curved, plane, pixels, thinned.cloud(), labels, verification.noise())) return k;
+  }
+  return std::nullopt;
+}
+
 /// Tops that are patches of curved shapes get the labels of these, the first other one keeps that of the plane that led
 /// over all; another that has enough points gets one of its own. What is left near them is no part of anything.
 void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, const Cloud& whole,
@@ -40,7 +52,7 @@ void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, cons
 /// samples to tell, all but one were not reported at all; the plane was tilted by up to 1.5 deg before they were told
 /// apart.
 void Detector::Workspace::takeTopsApart(const Cloud& whole, List<LabelRun>& runs) {
-  if (!depth_camera) return;
+  if (!depth_camera || params.left_out.has(Step::level_tops)) return;
   const PointNoise sigma(verification.noise());
   bool any = false;
   std::size_t next = 0;

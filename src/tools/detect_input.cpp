@@ -35,6 +35,7 @@ DetectInput readInput(const DetectOptions& options, const std::string& path) {
   input.sensor = options.sensor;
   const Cloud& points = input.file.cloud;
   input.params = options.params.paramsFor(points.organized() || input.file.intrinsics, points.hasNormals());
+  input.params.left_out = options.left_out;
   input.range = depthRangeOf(input.params);
   if (input.sensor) {
     moveToSensor(*input.sensor, input);

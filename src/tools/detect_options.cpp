@@ -40,8 +40,15 @@ constexpr const char* kFooter =
 /// Raw texts, checked after parsing so that the messages name parameter, value and range.
 struct RawOptions {
   std::string intrinsics, depth_scale, sensor, repeats, example;
+  std::vector<std::string> left_out;
   bool print_kernels = false;
 };
+
+std::string stepList() {
+  std::string list;
+  for (const StepInfo& step : stepTable()) list += (list.empty() ? "" : ", ") + step.name;
+  return list;
+}
 
 void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
   app.add_option("FILE", options.files, "point files or depth images")->type_name("");
@@ -56,8 +63,12 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
                  "orientation of its optical frame (z ahead, x right, y down) in the frame of the file, as tf_echo "
                  "prints them; results are in the frame of the file")
       ->type_name("\"X Y Z QX QY QZ QW\"");
-  app.add_flag("--unlikely", options.unlikely,
-               "also what was refused for its confidence, where nothing else is: why is my object missing?");
+  app.add_flag(
+      "--unlikely", options.unlikely,
+      "also what was refused for its confidence, and what fewer samples would make, where nothing else is: why "
+      "is my object missing?");
+  app.add_option("--without", raw.left_out, "leave out a step, to learn what it brings; repeatable: " + stepList())
+      ->type_name("STEP");
   app.add_option("--example", raw.example,
                  "write a simulated camera's view of a table, as PCD or depth PNG, say how to go on with it, and end")
       ->type_name("FILE");
@@ -111,6 +122,7 @@ void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& 
     options.depth_image.depth_scale = positiveNumber("--depth-scale", raw.depth_scale, " m per unit");
   }
   if (app.count("--sensor")) options.sensor = io::parseSensorPose(raw.sensor);
+  for (const std::string& step : raw.left_out) options.left_out.add(stepOf(step));
   if (app.count("--repeat")) options.repeats = repeatCount(raw.repeats);
   for (const char* output : {"--json", "--labels", "--picture"}) {
     if (app.count(output) && app.get_option(output)->as<std::string>().empty()) {

@@ -21,6 +21,7 @@ struct DetectOptions {
   ParamLayers params;
   int repeats = 1;
   bool unlikely = false;  ///< what was too unlikely is wanted, too
+  Steps left_out;
 };
 
 /// Nothing when all is said (--help, --version, --print-params, --kernels).

@@ -81,6 +81,14 @@ TEST(AloneInImage, WhatIsFarLargerThanTheImageIsFoundInFacets) {
   }
 }
 
+TEST(AloneInImage, WithoutFacetsSuchAreSeveralPlanes) {
+  Params without;
+  without.left_out.add(Step::facets);
+  const auto result = Detector{without}.detect(imageOf(synthetic::Ball{1.0}, 1.75, 1.0, 213));
+  EXPECT_GT(result.items.size(), 1u);
+  for (const Detection& item : result.items) EXPECT_EQ(kindOf(item.shape), Kind::plane);
+}
+
 /// Lengths then do not depend on what is in view.
 TEST(AloneInImage, RadiiReachAsFarAsAGivenSceneDiameterSays) {
   constexpr double kRadius = 0.25;

@@ -120,6 +120,10 @@ TEST(BentPart, OfATableIsNotReported) {
   Params params;
   Detector detector{params};
   EXPECT_EQ(detector.detect(cloud).items.size(), 1u);
+  Params without;
+  without.left_out.add(Step::bent_parts);
+  Detector believes_it{without};
+  EXPECT_EQ(believes_it.detect(cloud).items.size(), 2u);
   params.min_confidence = 0.0;
   Detector shows_all{params};
   const std::vector<Detection> all = shows_all.detect(cloud).items;

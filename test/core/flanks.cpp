@@ -69,7 +69,6 @@ TEST(Flanks, LeaveATubeItsPoints) {
   EXPECT_GT(waves.points, 0.97 * even.points);
 }
 
-/// Eight were.
 TEST(Flanks, AreNoPlanes) {
   const Found found = foundIn(0.002, 120.0);
   EXPECT_EQ(found.tubes, 10);
