@@ -133,6 +133,7 @@ Json fileJson(const FileReport& report) {
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = primitivesJson(found);
   if (report.unlikely) json["unlikely"] = primitivesJson(*report.unlikely);
+  if (report.few_inliers) json["few_inliers"] = primitivesJson(*report.few_inliers);
   json["timing_ms"] = timingJson(report.timing_ms);
   if (report.repeats > 1) {
     json["repeats"] = report.repeats;

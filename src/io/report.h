@@ -27,8 +27,10 @@ struct FileReport {
   std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
   Timing timing_ms;                  ///< with several runs: the medians
   int repeats = 1;
-  Timing min_ms, max_ms;               ///< with several runs only
-  std::optional<Detections> unlikely;  ///< where it was asked for: what was refused for its confidence
+  Timing min_ms, max_ms;  ///< with several runs only
+  // Where it was asked for:
+  std::optional<Detections> unlikely;     ///< what was refused for its confidence
+  std::optional<Detections> few_inliers;  ///< what has too few samples, or too few votes
 };
 
 /// One JSON object, ends with a newline:
@@ -37,7 +39,7 @@ struct FileReport {
 /// Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none and a sensor at the
 /// origin. With max_latency also "effort", the share of the samples. A file that could not be read: {"file", "error",
 /// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms"; where it was asked for
-/// "unlikely", written as "primitives".
+/// "unlikely" and "few_inliers", written as "primitives".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.

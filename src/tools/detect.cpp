@@ -72,6 +72,7 @@ void writePointOutputs(const Targets& targets, std::size_t index, const std::vec
 void toFrameOfFile(const Eigen::Isometry3d& points_from_sensor, io::FileReport& report) {
   primitect::transformDetections(points_from_sensor, report.detections);
   if (report.unlikely) primitect::transformDetections(points_from_sensor, *report.unlikely);
+  if (report.few_inliers) primitect::transformDetections(points_from_sensor, *report.few_inliers);
 }
 
 io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index,
@@ -90,7 +91,10 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   std::vector<std::uint32_t> labels;
   if (targets.labels.wanted() || targets.picture.wanted() || options.unlikely) detector.label(input.cloud, labels);
   writePointOutputs(targets, index, labels, input, report);
-  if (options.unlikely) report.unlikely = tools::tooUnlikely(input, labels);
+  if (options.unlikely) {
+    report.unlikely = tools::tooUnlikely(input, labels);
+    report.few_inliers = tools::tooFew(input, labels);
+  }
   if (input.sensor) toFrameOfFile(input.sensor->pointsFromSensor(), report);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));
   if (!targets.json.toStdout()) std::cout << tools::resultText(report, input) << std::flush;

@@ -12,6 +12,7 @@
 #include "io/shape_text.h"
 #include "tools/format.h"
 #include "tools/notes.h"
+#include "tools/unlikely.h"
 
 namespace primitect::tools {
 namespace {
@@ -72,11 +73,10 @@ std::string effortText(const io::FileReport& report) {
   return report.effort ? format(" (max_latency leaves %.0f %%)", 100.0 * *report.effort) : "";
 }
 
-/// What was refused for its confidence, with the same columns.
-std::string unlikelyText(const io::FileReport& report) {
-  if (!report.unlikely) return "";
-  if (report.unlikely->items.empty()) return "  refused as too unlikely, where nothing above is: none\n";
-  return "  refused as too unlikely (min_confidence), where nothing above is:\n" + rowsText(*report.unlikely);
+/// What was not reported, with the same columns.
+std::string missingText(const std::string& what, const std::optional<Detections>& found) {
+  if (!found) return "";
+  return "  " + what + ", where nothing above is:" + (found->items.empty() ? " none\n" : "\n" + rowsText(*found));
 }
 
 /// "Why is my object missing?" in one line.
@@ -148,7 +148,10 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
   } else {
     text += headingText();
   }
-  text += rowsText(found) + unlikelyText(report) + refusedText(found.refusals, input.params);
+  text += rowsText(found) + missingText("refused as too unlikely (min_confidence)", report.unlikely);
+  const int fewest = fewestInliers(input.params);
+  text += missingText(format("would come out with min_inliers %d and min_votes 0", fewest), report.few_inliers);
+  text += refusedText(found.refusals, input.params);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Why is my object missing? What would come out if nothing were too unlikely.
+// Why is my object missing? What would come out if nothing were too unlikely, or of too few samples.
 #pragma once
 
 #include <cstdint>
@@ -15,5 +15,11 @@ namespace primitect::tools {
 /// made nothing: labels of the input's cloud by the first (Detector::label). The second may see the rest a little
 /// differently, which is no matter here. In the frame of the sensor.
 Detections tooUnlikely(const DetectInput& input, const std::vector<std::uint32_t>& labels);
+
+/// As few samples as a shape may have without being chance, or as were asked for where that is less.
+int fewestInliers(const Params& params);
+
+/// The same for shapes that a search with min_inliers: fewestInliers() and min_votes: 0 finds.
+Detections tooFew(const DetectInput& input, const std::vector<std::uint32_t>& labels);
 
 }  // namespace primitect::tools

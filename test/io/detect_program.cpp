@@ -54,6 +54,36 @@ TEST_F(DetectProgram, PrintsHowSureItIsAndWhatItRefused) {
   EXPECT_NE(out.find(" unlikely (see min_confidence)\n"), std::string::npos) << out;
 }
 
+Json::const_iterator sphereIn(const Json& list) {
+  return std::find_if(list.begin(), list.end(), [](const Json& item) { return item["type"] == "sphere"; });
+}
+
+TEST_F(DetectProgram, ShowsWhatHadTooFewSamplesOrVotes) {
+  const Json usual = runJson(ball + " --unlikely");
+  EXPECT_EQ(usual["few_inliers"].size(), 0u) << "what is reported is not told twice";
+  EXPECT_FALSE(runJson(ball).contains("few_inliers")) << "nobody asked";
+  const auto found = sphereIn(usual["primitives"]);
+  ASSERT_NE(found, usual["primitives"].end());
+  for (const char* lost : {" --unlikely --min_inliers 100000", " --unlikely --min_votes 100000"}) {
+    const Json none = runJson(ball + lost);
+    EXPECT_EQ(sphereIn(none["primitives"]), none["primitives"].end()) << lost;
+    const auto missing = sphereIn(none["few_inliers"]);
+    ASSERT_NE(missing, none["few_inliers"].end()) << none.dump(1);
+    EXPECT_NEAR((*missing)["radius"].get<double>(), 0.1, 0.005);
+  }
+  // In the frame of the file, as all else.
+  const Json moved = runJson(ball + " --unlikely --min_inliers 100000 --sensor \"0 0 -0.2 0 0 0 1\"");
+  const auto seen = sphereIn(moved["few_inliers"]);
+  ASSERT_NE(seen, moved["few_inliers"].end()) << moved.dump(1);
+  EXPECT_NEAR((*seen)["center"][2].get<double>(), (*found)["center"][2].get<double>(), 0.005);
+  EXPECT_EQ(run(ball + " --unlikely --min_inliers 100000"), 0);
+  EXPECT_NE(out.find("would come out with min_inliers 12 and min_votes 0, where nothing above is:\n"),
+            std::string::npos)
+      << out;
+  EXPECT_EQ(run(ball + " --unlikely --min_inliers 8"), 0);
+  EXPECT_NE(out.find("would come out with min_inliers 8 and"), std::string::npos) << out;
+}
+
 TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
   const Json usual = runJson(ball + " --unlikely");
   EXPECT_EQ(usual["primitives"].size(), 2u);
@@ -61,9 +91,6 @@ TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
   EXPECT_FALSE(runJson(ball).contains("unlikely")) << "nobody asked";
   const Json none = runJson(ball + " --unlikely --min_confidence 1");
   EXPECT_EQ(none["primitives"].size(), 0u);
-  const auto sphereIn = [](const Json& list) {
-    return std::find_if(list.begin(), list.end(), [](const Json& item) { return item["type"] == "sphere"; });
-  };
   const auto unlikely = sphereIn(none["unlikely"]), found = sphereIn(usual["primitives"]);
   ASSERT_NE(unlikely, none["unlikely"].end()) << none.dump(1);
   EXPECT_NEAR((*unlikely)["radius"].get<double>(), 0.1, 0.005);
@@ -153,8 +180,22 @@ TEST_F(DetectProgram, SaysWhichOptionMayBeMeantByAnUnknownOne) {
   EXPECT_NE(err.find("--min_radus; did you mean '--min_radius'? (see --help)"), std::string::npos) << err;
   EXPECT_EQ(run(ball + " --pictur=a.png"), 2);
   EXPECT_NE(err.find("; did you mean '--picture'?"), std::string::npos) << err;
+  EXPECT_EQ(run(ball + " -max_depth 1"), 2);
+  EXPECT_NE(err.find("; did you mean '--max_depth'?"), std::string::npos) << err;
+  for (const char* as_node : {" max_depth:=1", " _max_depth:=1"}) {
+    EXPECT_EQ(run(ball + as_node), 2);
+    EXPECT_NE(err.find("here it is '--max_depth 1' (see --help)"), std::string::npos) << err;
+  }
   EXPECT_EQ(run(ball + " --nothing-like-it"), 2);
   EXPECT_EQ(err.find("did you mean"), std::string::npos) << err;
+}
+
+TEST_F(DetectProgram, LeavesStepsOut) {
+  const Json usual = runJson(ball), without = runJson(ball + " --without last_fit --without upright");
+  ASSERT_NE(sphereIn(without["primitives"]), without["primitives"].end());
+  EXPECT_NE((*sphereIn(usual["primitives"]))["radius"], (*sphereIn(without["primitives"]))["radius"]);
+  EXPECT_EQ(run(ball + " --without lastfit"), 2);
+  EXPECT_NE(err.find("unknown step 'lastfit'; did you mean 'last_fit'?"), std::string::npos) << err;
 }
 
 TEST_F(DetectProgram, WritesNoJsonForASingleBadFile) {
