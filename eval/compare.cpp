@@ -147,7 +147,7 @@ void declareOptions(CLI::App& app, Options& options) {
   app.add_flag("--robot-frame", options.recipe.robot_frame, "points in a frame on the floor below the sensor, z up");
   app.add_option("--method", options.methods,
                  "truth, default, paper, its ablations b to e, a peer (see --about) or "
-                 "NAME=preset:PRESET,parameter=value,...; repeatable")
+                 "NAME=preset:PRESET,parameter=value,without:STEP,...; repeatable")
       ->allow_extra_args(false);
   app.add_option("--algorithm-seeds", options.algorithm_seeds,
                  "seeds of our random draw, comma separated: each of ours runs with all of them")

@@ -19,6 +19,7 @@ Step = namedtuple("Step", "name stage meaning text")
 # figures: by (group, measure); answers: by group, what tells whether anything changed; ms: by group, of each cloud
 Figures = namedtuple("Figures", "figures answers ms")
 
+STAGES = ("normals", "segment", "look closer", "measure")
 FOUND = (PRECISION, RECALL)
 TABLES, SCENES = "tables", "scenes"
 GROUPS = (
@@ -43,7 +44,7 @@ COLUMNS = {PRECISION: ("P", 1, False), RECALL: ("R", 1, False), FALSE_CURVED: ("
            RADIUS: ("radius mm", 3, True), AXIS: ("axis deg", 3, True), HALF_ANGLE: ("half angle deg", 3, True),
            DOD: ("DOD", 3, True), NEES: ("NEES", 2, True)}
 NOTE = ("First row: with all steps. Others: by how much the figure is better with the step than without it, minus "
-        "where it is worse; –: without it every detection is the same. ")
+        "where it is worse; –: without it every detection is the same, or nothing can be said. ")
 
 
 def steps_of(about):
@@ -127,50 +128,48 @@ def cells(whole, without, columns, groups_with_times):
     return row
 
 
-def table(results, steps, key, title, note, measures):
-    """A row for each step, with these measures of all groups that were measured; and times."""
-    figures = figures_of(results, steps)
-    whole = figures[WHOLE]
-    columns = [(group.name, measure) for group in GROUPS for measure in group.measures
-               if measure in measures and group.name in whole.answers]
-    timed = [name for name in (TABLES, SCENES) if name in whole.ms]
-    rows = [("all steps", cells(whole, None, columns, timed))]
-    stage = None
-    for step in steps:
+def in_order(steps):
+    """As a frame runs through them."""
+    return sorted(steps, key=lambda step: STAGES.index(step.stage))
+
+
+def rows_of(steps, whole, cells_of):
+    """A row of all steps, then a heading for each stage and a row for each of its steps. whole: cells."""
+    rows, stage = [("all steps", whole)], None
+    for step in in_order(steps):
         if step.stage != stage:
             rows.append((step.stage, None))
             stage = step.stage
-        rows.append((label_of(step),
-                     cells(whole, figures[method_of(step)], columns, timed)))
-    groups = []
-    for group, measure in columns:
-        if groups and groups[-1][0] == group:
-            groups[-1] = (group, groups[-1][1] + 1)
-        else:
-            groups.append((group, 1))
-    groups += [("ms", len(timed))] if timed else []
-    return Table(key, title, NOTE + note, groups, [COLUMNS[measure][0] for _, measure in columns] + timed, rows)
+        rows.append(("%s (`%s`)" % (step.meaning, step.name), cells_of(step)))
+    return rows
 
 
-def in_order(steps):
-    """As a frame runs through them."""
-    return sorted(steps, key=lambda step: STAGES.index(step.stage) if step.stage in STAGES else len(STAGES))
-
-
-def label_of(step):
-    return "%s (`%s`)" % (step.meaning, step.name)
+def table(figures, steps, key, title, note, measures):
+    """These measures of all groups that were measured, and times; None where there are none. figures: figures_of()."""
+    whole = figures[WHOLE]
+    columns = [(group.name, measure) for group in GROUPS for measure in group.measures
+               if measure in measures and group.name in whole.answers]
+    if not columns:
+        return None
+    timed = [name for name in (TABLES, SCENES) if name in whole.ms]
+    rows = rows_of(steps, cells(whole, None, columns, timed),
+                   lambda step: cells(whole, figures[method_of(step)], columns, timed))
+    spans = [(name, sum(group == name for group, _ in columns)) for name in dict.fromkeys(g for g, _ in columns)]
+    spans += [("ms", len(timed))] if timed else []
+    return Table(key, title, NOTE + note, spans, [COLUMNS[measure][0] for _, measure in columns] + timed, rows)
 
 
 def tables_of(results, steps):
     """What steps bring of what there is to find, and of how well it is measured."""
-    ordered = in_order(steps)
-    yield table(results, ordered, "found", "What is found, by step",
-                "P, R: precision and recall with the right type, points of a percent; false curved: a frame less.",
-                (PRECISION, RECALL, FALSE_CURVED))
-    yield table(results, ordered, "measured", "How well it is measured, by step",
-                "Radius, axis, half angle: medians of the errors. DOD in multiples of the noise. NEES: mean normalised "
-                "squared error over its degrees of freedom; better: nearer to 1.",
-                (RADIUS, AXIS, HALF_ANGLE, DOD, NEES))
+    figures = figures_of(results, steps)
+    made = (table(figures, steps, "found", "What is found, by step",
+                  "P, R: precision and recall with the right type, points of a percent; false curved: a frame less.",
+                  (PRECISION, RECALL, FALSE_CURVED)),
+            table(figures, steps, "measured", "How well it is measured, by step",
+                  "Radius, axis, half angle: medians of the errors. DOD in multiples of the noise. NEES: mean "
+                  "normalised squared error over its degrees of freedom; better: nearer to 1.",
+                  (RADIUS, AXIS, HALF_ANGLE, DOD, NEES)))
+    return [one for one in made if one]
 
 
 def frame_figures(steps, score):
@@ -183,25 +182,25 @@ def frame_figures(steps, score):
     return figures
 
 
+def difference(one, other):
+    return None if one is None or other is None else one - other
+
+
 def frames_table(figures, steps):
     """A row for each step. figures: as frame_figures() gives them."""
     def told(summaries):
-        one = accuracy.together(summaries)
-        must = one["recall"]["all"]
-        return summary.share(must["found"], must["labels"]), one["false_curved_per_frame"]
+        scored = [one for one in summaries if one["frames"]]
+        if not scored:
+            return None, None
+        one = accuracy.together(scored)
+        return summary.share(one["recall"]["all"]["found"], one["recall"]["all"]["labels"]), one["false_curved_per_frame"]
+
+    def cells_of(step):
+        recall_without, false_without = told(figures[method_of(step)])
+        return [cell(difference(recall, recall_without)), cell(difference(false_without, false_curved), 2)]
     recall, false_curved = told(figures[WHOLE])
-    rows = [("all steps", [cell(recall), cell(false_curved, 2)])]
-    stage = None
-    for step in in_order(steps):
-        if step.stage != stage:
-            rows.append((step.stage, None))
-            stage = step.stage
-        without = told(figures[method_of(step)])
-        rows.append((label_of(step), [cell(recall - without[0]), cell(without[1] - false_curved, 2)]))
     return Table("frames", "Recorded frames, by step",
                  "Over %d draws of the samples. First row: with all steps. Others: how much is better with the step: "
                  "must labels found, points of a percent; false curved shapes a frame less." % len(figures[WHOLE]),
-                 [("", 2)], ["R", "false curved"], rows)
-
-
-STAGES = ("normals", "segment", "look closer", "measure")
+                 [("", 2)], ["R", "false curved"],
+                 rows_of(steps, [cell(recall), cell(false_curved, 2)], cells_of))

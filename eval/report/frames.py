@@ -27,10 +27,12 @@ def detect_options(settings):
         name, _, value = part.partition("=")
         if part.startswith("preset:"):
             preset = part[len("preset:"):]
+        elif part.startswith("without:"):
+            options += ["--without", part[len("without:"):]]
         elif value:
             options += ["--" + name, value]
         else:
-            raise ValueError("method setting %r: must be preset:NAME or parameter=value" % part)
+            raise ValueError("method setting %r: must be preset:NAME, parameter=value or without:STEP" % part)
     return preset, options
 
 
@@ -185,10 +187,8 @@ def labelled_files(folder, faults):
     return frames, paths
 
 
-def score(folder, detect_program, preset, options, faults):
-    """The figures of every labelled PCD of a folder, as summarise() gives them; faults grows. Raises ValueError as
-    score_and_draw()."""
-    frames, paths = labelled_files(folder, faults)
+def score(frames, paths, detect_program, preset, options, faults):
+    """The figures of frames and files of labelled_files(), as summarise() gives them; faults grows."""
     with tempfile.TemporaryDirectory() as scratch:
         faults += run_detect(detect_program, paths, preset, scratch, options)
         return summarise([(*entry, None) for entry in scored(frames, preset, scratch, faults)])

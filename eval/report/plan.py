@@ -143,7 +143,8 @@ def keys_of(experiment, first_seed, method):
 def seconds_of(recipe, methods, repeat):
     """What one cloud takes, roughly."""
     small = 0.2 if recipe.set in trust.FRAMES + ("parts", "objects") else 1.0
-    each = [SECONDS.get(method.split("=")[0].split(":")[0], 0.2) for method in methods]
+    each = [SECONDS["default"] if "=preset:default" in method
+            else SECONDS.get(method.split("=")[0].split(":")[0], 0.2) for method in methods]
     return small + repeat * sum(each) * (0.5 if small < 1.0 else 1.0)
 
 

@@ -4,6 +4,8 @@
 """eval/ablation: what a step brings is the figure with it less the one without; its cost is that of the same clouds."""
 import os
 import sys
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -115,6 +117,39 @@ def test_recorded_frames_are_told_over_all_draws():
     assert row_of(table, "all steps")["R"].value == 100 and row_of(table, "facets")["R"].value == 0
     assert asked == [[], ["--closer_samples", "0"], ["--improve_normals", "false"], ["--without", "facets"],
                      ["--without", "upright"]]
+
+
+def test_frames_without_any_result_say_nothing():
+    nothing = {"frames": 0, "recall": {"all": {"found": 0, "labels": 0}}, "false_curved_per_frame": None}
+    table = ablation.frames_table(ablation.frame_figures(STEPS, lambda options: [nothing]), STEPS)
+    assert row_of(table, "all steps")["R"].value is None and row_of(table, "upright")["false curved"].value is None
+
+
+def test_tables_tell_only_of_what_was_measured():
+    clutter = [line_of(method, Recipe("clutter"), false_curved=1) for method in (ablation.WHOLE, UPRIGHT)]
+    assert list(made(clutter)) == ["found"], "of clutter nothing is measured"
+    assert tables.headings(made(clutter)["found"]) == ["clutter false curved"]
+    assert row_of(made(clutter)["found"], "facets")["clutter false curved"].value is None, "was not measured"
+
+
+def test_steps_stand_below_their_stages_in_the_order_of_a_frame():
+    recipe = Recipe("tabletop")
+    rows = made([line_of(method, recipe, **found(9)) for method in (ablation.WHOLE, UPRIGHT)])["found"].rows
+    assert [label for label, row in rows if row is None] == ["segment", "look closer", "measure"]
+    assert "improve_normals" in rows[2][0] and "upright" in rows[-1][0]
+
+
+def test_the_command_names_steps_that_there_are_not():
+    loader = SourceFileLoader("ablation_command", os.path.join(os.path.dirname(HERE), "ablation"))
+    command = module_from_spec(spec_from_loader(loader.name, loader))
+    loader.exec_module(command)
+    assert [step.name for step in command.chosen(STEPS, ["upright"])] == ["upright"]
+    assert command.chosen(STEPS, None) == STEPS
+    try:
+        command.chosen(STEPS, ["facet"])
+        raise AssertionError("took it")
+    except ValueError as error:
+        assert "facet;" in str(error) and "facets" in str(error)
 
 
 if __name__ == "__main__":

@@ -39,6 +39,7 @@ def test_a_method_gets_its_seed_and_keeps_its_settings():
     assert accuracy_plan.seeded("default", 2) == METHODS[1]
     assert accuracy_plan.seeded("mine=preset:paper,samples=512", 3) == "mine-seed-3=preset:paper,samples=512,seed=3"
     assert frames.detect_options("preset:paper,samples=512") == ("paper", ["--samples", "512"])
+    assert frames.detect_options("preset:default,without:facets") == ("default", ["--without", "facets"])
     try:
         frames.detect_options("samples")
         raise AssertionError("took it")

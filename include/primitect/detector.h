@@ -38,6 +38,9 @@ struct Effort {
   std::function<double()> share_in_time;
 };
 
+/// Samples that every shape needs, however small the effort: fewer on one surface may be chance.
+constexpr int kFewestInliers = 12;
+
 /// The least share of the effort: it leaves 256 samples in a draw, unless the cloud is a small part of a depth image.
 double leastShare(const Params& params);
 

@@ -28,8 +28,9 @@ struct Params {
 #undef PRIMITECT_REAL
 #undef PRIMITECT_TEXT
 
-  /// Not in the table: only to learn what steps bring is any left out.
+  /// Steps that are left out, for studies; not in the table of parameters.
   Steps left_out;
+  bool does(Step step) const { return !left_out.has(step); }
 };
 
 using ParamValue = std::variant<bool, int, double, std::string>;

@@ -46,8 +46,8 @@ List<Start> startsFor(const Start& own, const Moments& moments, double sigma, co
     if (shape && isFitted(kindOf(*shape), params)) starts.push_back({*shape, concave, fitted});
   };
   if (curvesEnough(kindOf(own.shape), curvature, rules.noise)) add(own.shape, own.concave, own.fitted);
+  if (!params.does(Step::other_kinds) && !starts.empty()) return starts;
   // From anywhere near, there is only one plane to come to.
-  if (params.left_out.has(Step::other_kinds) && !starts.empty()) return starts;
   if (starts.empty() || kindOf(starts[0].shape) != Kind::plane) add(fitFromMoments(Kind::plane, moments), false);
   for (const bool concave : {false, true}) {
     if (params.convexity == (concave ? "convex" : "concave")) continue;
@@ -133,7 +133,7 @@ class Fits {
       const bool holds = fit(start);
       own_holds = own_holds || (like_own(start) && holds);
     }
-    if (best_cylinder_ && has(Step::tapered)) {
+    if (best_cylinder_ && does(Step::tapered)) {
       fit({tapered(std::get<Cylinder>(best_cylinder_->shape), points_), best_cylinder_->concave});
     }
   }
@@ -178,7 +178,7 @@ class Fits {
     best_agreement_ = std::max(best_agreement_, agreed);
     judge(*shape, start.concave);
     const Plane* const plane = std::get_if<Plane>(&*shape);
-    if (plane && has(Step::plane_by_normals)) {
+    if (plane && does(Step::plane_by_normals)) {
       const auto by_normals = planeByNormals(*plane, moments_, points_.meanSigma());
       if (by_normals) judge(*by_normals, start.concave);
     }
@@ -199,7 +199,7 @@ class Fits {
     use_(trial_, near_);
   }
 
-  bool has(Step step) const { return !rules_.limits.params.left_out.has(step); }
+  bool does(Step step) const { return rules_.limits.params.does(step); }
 
   /// Cones may begin at a cylinder that is none itself.
   void remember(const Start& cylinder, double agreed) {

@@ -71,7 +71,8 @@ void Detector::label(const Cloud& cloud, std::vector<std::uint32_t>& labels) con
   const FrameMemoryScope scope(&work_->memory);
   if (!cloud.isConsistent()) return labels.assign(cloud.size(), 0);
   labelPoints(cloud, work_->result.items, work_->tolerance, labels);
-  if (work_->tolerance.noise.ofDepthCamera()) dropFarSides(cloud, work_->result.items, work_->tolerance, labels);
+  const bool may_be_far = work_->tolerance.noise.ofDepthCamera() && work_->params.does(Step::far_sides);
+  if (may_be_far) dropFarSides(cloud, work_->result.items, work_->tolerance, labels);
 }
 
 }  // namespace primitect

@@ -79,7 +79,7 @@ Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params
 /// What a depth camera saw of curved shapes is fitted along its rays, and has no bias by the noise. Planes are not:
 /// what turns them is small, and of narrow ones it is the smaller evil.
 bool Measurement::isFittedAlongRays(const Shape& shape) const {
-  return noise_.ofDepthCamera() && kindOf(shape) != Kind::plane && has(Step::along_rays);
+  return noise_.ofDepthCamera() && kindOf(shape) != Kind::plane && does(Step::along_rays);
 }
 
 /// Without the bias of the noise; as it is where that breaks the limits, and where a depth camera sees a face too
@@ -87,7 +87,7 @@ bool Measurement::isFittedAlongRays(const Shape& shape) const {
 /// With the bias taken out, faces 28 mm high were tilted by 3 deg instead of by 0.5.
 Shape Measurement::unbiased(const Shape& fit) const {
   const bool narrow = kindOf(fit) == Kind::plane && clear_.size() == points_.size();
-  if ((noise_.ofDepthCamera() && narrow) || !has(Step::bias)) return fit;
+  if ((noise_.ofDepthCamera() && narrow) || !does(Step::bias)) return fit;
   const NoiseDirection direction = noise_.ofDepthCamera() ? NoiseDirection::along_ray : NoiseDirection::any;
   const Shape result = withoutBias(fit, clear_, sigma_, direction);
   return limits_.hold(result) ? result : fit;
@@ -97,7 +97,7 @@ Shape Measurement::unbiased(const Shape& fit) const {
 /// beyond what the samples saw of it, a bottle has its neck: points there would make a cone of it.
 PointsChoice Measurement::start(const Detection& found) {
   const Shape& shape = found.shape;
-  if (!hasAxis(kindOf(shape)) || !has(Step::last_fit)) return {shape, false};
+  if (!hasAxis(kindOf(shape)) || !does(Step::last_fit)) return {shape, false};
   gatherPart(found);
   const PointsChoice choice = refineOnPoints(shape, fit_points_, limits_);
   const Detection* face = faceOf(found);
@@ -111,7 +111,7 @@ void Measurement::gatherPart(const Detection& found) {
 
 /// The largest face that it may stand on; null where none is known well enough.
 const Detection* Measurement::faceOf(const Detection& found) const {
-  if (!noise_.ofDepthCamera() || !has(Step::upright)) return nullptr;
+  if (!noise_.ofDepthCamera() || !does(Step::upright)) return nullptr;
   const double reach = kReachOfFaces * sigma_(found.extent.origin);
   const Detection* largest = nullptr;
   for (const Detection* face : faces_) {
@@ -147,7 +147,7 @@ void Measurement::gatherClear(const List<std::uint32_t>& clear, const Detection&
 Shape Measurement::fittedToClear(const PointsChoice& from) {
   const Shape& start = from.shape;
   fit_points_.gather(clear_, noise_);
-  if (!has(Step::last_fit)) return start;
+  if (!does(Step::last_fit)) return start;
   const bool along_rays = isFittedAlongRays(start);
   const std::optional<Shape> refined =
       refineDense(start, fit_points_, along_rays ? PointErrors::along_rays : PointErrors::across, from.upright());
@@ -163,7 +163,7 @@ Shape Measurement::fittedToClear(const PointsChoice& from) {
 /// Of a fit to the clear points.
 Uncertainty Measurement::uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const {
   const auto from = [&](const SeenPoints& points) {
-    const double shared_noise = has(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : 1.0;
+    const double shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : 1.0;
     return measureUncertainty(fit, extent, points, sigma_, shared_noise, axis_deviation);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);
@@ -176,7 +176,8 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   constexpr int kTimes = 3;
   gatherClear(clear, found);
   Fit fit = {fittedToClear(from), 1.0, from};
-  for (int time = 0; time < kTimes && has(Step::false_border); ++time) {
+  if (!does(Step::false_border)) return fit;
+  for (int time = 0; time < kTimes; ++time) {
     const List<std::uint32_t> rest = on_surface(fit.shape);
     if (rest.size() == clear.size()) break;
     if (time == 0) fit.most_trust = trustInSizeOf(fit);
@@ -187,7 +188,6 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 }
 
 double Measurement::trustInSizeOf(const Fit& fit) const {
-  if (!has(Step::trust_in_size)) return 1.0;
   const Extent extent = measureExtent(fit.shape, points_, {});
   return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis_deviation, extent));
 }
@@ -212,7 +212,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
   constexpr double kDoubtful = 0.5;
   const Fit fit = fitted(clear, on_surface, found, start(found));
   const Cone* cone = std::get_if<Cone>(&fit.shape);
-  if (!cone || cone->half_angle > kSharpCone || !has(Step::undetermined_cones)) return fit;
+  if (!cone || cone->half_angle > kSharpCone || !does(Step::undetermined_cones)) return fit;
   if (std::min(fit.most_trust, trustInSizeOf(fit)) > kDoubtful) return fit;
   if (const auto instead = insteadOf(fit, found)) return fitted(clear, on_surface, found, *instead);
   fit_points_.gather(clear_, noise_);  // uncertainty is measured on what it was fitted to
@@ -231,7 +231,7 @@ void Measurement::endAtFacesOrTip(Detection& detection) const {
 /// (seen_share.h).
 double Measurement::leaveOutThinEnds(const Shape& shape) {
   const Cylinder* cylinder = std::get_if<Cylinder>(&shape);
-  if (!cylinder || noise_.ofDepthCamera() || points_.empty() || !has(Step::thin_ends)) return 1.0;
+  if (!cylinder || noise_.ofDepthCamera() || points_.empty() || !does(Step::thin_ends)) return 1.0;
   const auto before = static_cast<double>(points_.size());
   points_ = withoutThinEnds(*cylinder, std::move(points_));
   return static_cast<double>(points_.size()) / before;
@@ -242,7 +242,7 @@ double Measurement::leaveOutThinEnds(const Shape& shape) {
 /// points are: kept becomes these. Returns the share of it that is seen.
 double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept) {
   constexpr double kMost = 0.7;
-  if (!has(Step::seen_share)) return 1.0;
+  if (!does(Step::seen_share)) return 1.0;
   const SeenShare seen = seenShare(detection, index, {cloud_, rays_, range_, sigma_});
   if (!seen.part || !noise_.ofDepthCamera()) return seen.all;
   List<std::uint32_t> in_part;
@@ -295,17 +295,17 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
   const Uncertainty uncertainty = uncertaintyOf(detection.shape, fit.from.axis_deviation, detection.extent);
-  if (has(Step::trust_in_size)) {
+  if (does(Step::trust_in_size)) {
     detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
   }
-  if (has(Step::trust_in_evenness)) {
+  if (does(Step::trust_in_evenness)) {
     const bool in_depth = noise_.ofDepthCamera();
     detection.confidence *= static_cast<float>(trustInEvenness(detection.shape, points_, sigma_, in_depth));
   }
-  if (noise_.ofDepthCamera() && has(Step::trust_in_fit)) {
+  if (noise_.ofDepthCamera() && does(Step::trust_in_fit)) {
     detection.confidence *= static_cast<float>(trustInFit(detection.shape, detection.rms_error, points_, sigma_));
   }
-  if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera() && has(Step::trust_in_strips)) {
+  if (kindOf(detection.shape) == Kind::plane && noise_.ofDepthCamera() && does(Step::trust_in_strips)) {
     detection.confidence *= static_cast<float>(trustInStrip(detection.extent, detection.evidence));
     const Plane& plane = std::get<Plane>(detection.shape);
     detection.confidence *= static_cast<float>(trustInFlat(plane, detection.extent, points_));

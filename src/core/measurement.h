@@ -52,7 +52,7 @@ class Measurement {
     PointsChoice from;
   };
 
-  bool has(Step step) const { return !limits_.params.left_out.has(step); }
+  bool does(Step step) const { return limits_.params.does(step); }
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
   PointsChoice start(const Detection& found);

@@ -103,7 +103,7 @@ void fitWindows(const Cloud& image, const Params& params, NormalSource& source, 
   const WindowSizes sizes(params.normal_window, rays, source);
   const ImageOfCamera camera = {image, rays, source.noise_scale, shareOfUsualWindows(rays)};
   const double grain = std::min(source.grain, kMostSaid);
-  const bool find_flying = !params.left_out.has(Step::flying_pixels);
+  const bool find_flying = params.does(Step::flying_pixels);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::uint32_t pixel = samples.index[i];
     const Vec3 point = samples.point(i);

@@ -87,17 +87,19 @@ const std::vector<Entry>& entries() {
   return kEntries;
 }
 
-/// names: that stand beside those of the table.
+/// beside: another name that may be meant; that one itself is none of a parameter.
 [[noreturn]] void refuseUnknown(const std::string& name, const std::vector<ParamInfo>& table,
-                                std::vector<std::string> names = {}) {
+                                const std::string& beside = "") {
+  std::vector<std::string> names = {beside};
   for (const ParamInfo& info : table) names.push_back(info.name);
-  throw std::invalid_argument("unknown parameter '" + name + "'" + similarNameHint(name, names));
+  throw std::invalid_argument("unknown parameter '" + name + "'" +
+                              (name == beside ? "" : similarNameHint(name, names)));
 }
 
 const Entry& entryOf(const std::string& name) {
   const auto found =
       std::find_if(entries().begin(), entries().end(), [&name](const Entry& entry) { return entry.info.name == name; });
-  if (found == entries().end()) refuseUnknown(name, paramTable(), {"preset"});
+  if (found == entries().end()) refuseUnknown(name, paramTable(), "preset");
   return *found;
 }
 

@@ -85,7 +85,7 @@ void Verification::measureNoise(Samples samples, const List<Candidate>& candidat
   noise_measured_ = false;
   noise_ = largestNoise(scale_, params_);
   applyNoise(noise_, samples);
-  if (params_.left_out.has(Step::noise)) return;
+  if (!params_.does(Step::noise)) return;
   const std::optional<NoiseModel> measured = primitect::measureNoise(samples, candidates, rules());
   noise_measured_ = measured.has_value();
   if (measured) noise_ = *measured;

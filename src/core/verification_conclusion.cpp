@@ -40,7 +40,7 @@ void Verification::join(const Hypothesis& version) {
 /// What is too large for the bins of radii, or for near pairs to turn, is found in facets: the whole competes with
 /// them.
 void Verification::joinFacets() {
-  if (!scale_.depth_camera || params_.left_out.has(Step::facets)) return;
+  if (!scale_.depth_camera || !params_.does(Step::facets)) return;
   List<std::uint32_t> number(pool_.size(), kOther);
   std::uint32_t planes = 0;
   for (const Segment& segment : segments_) {
@@ -63,7 +63,7 @@ void Verification::joinFacets() {
 
 /// Parts of a plane may lie in different ones.
 void Verification::split(const Segment& segment, const HeldGains& held) {
-  if (params_.left_out.has(Step::plane_parts)) return;
+  if (!params_.does(Step::plane_parts)) return;
   const Plane plane = std::get<Plane>(pool_[segment.hypothesis].shape);
   SampleParts parts = separateParts(segment.inliers, needed(), graph_);
   for (auto& part : stepParts(samples_, plane, segment.inliers, needed())) parts.push_back(std::move(part));
@@ -76,7 +76,7 @@ void Verification::split(const Segment& segment, const HeldGains& held) {
 /// Fits the segment again to its own samples, to all samples near it, and in parts.
 void Verification::refit(const Segment& segment, const HeldGains& held) {
   constexpr double kNear = 2.5;  // times the noise: what a slightly wrong shape left behind
-  const bool again = !params_.left_out.has(Step::fit_again);
+  const bool again = params_.does(Step::fit_again);
   Hypothesis trial = pool_[segment.hypothesis];
   ProposalRules once_more = rules();
   once_more.fitted = true;
@@ -176,7 +176,7 @@ void Verification::refuse(const Segment& segment, Refusal why) {
 }
 
 bool Verification::refuseUnlikely() {
-  if (params_.left_out.has(Step::unlikely)) return false;
+  if (!params_.does(Step::unlikely)) return false;
   bool any = false;
   for (const Segment& segment : segments_) {
     if (!isUnlikely(segment)) continue;
@@ -188,7 +188,7 @@ bool Verification::refuseUnlikely() {
 
 /// A tube through the edge of a table, or a cone over three things, may be as likely on the samples as what is there.
 bool Verification::refuseUnseen(const IsSeen& is_seen) {
-  if (!is_seen || !(params_.min_confidence > 0.0) || params_.left_out.has(Step::seen_tubes)) return false;
+  if (!is_seen || !(params_.min_confidence > 0.0) || !params_.does(Step::seen_tubes)) return false;
   bool any = false;
   for (Segment& segment : segments_) {
     if (!hasAxis(kindOf(segment.candidate.shape)) || is_seen(segment)) continue;
@@ -202,7 +202,7 @@ bool Verification::refuseUnseen(const IsSeen& is_seen) {
 /// Among the samples that no segment has.
 void Verification::addUnevenPlanes() {
   if (!noise_.ofDepthCamera() || !noise_measured_ || !params_.detect_planes) return;
-  if (params_.left_out.has(Step::uneven_planes)) return;
+  if (!params_.does(Step::uneven_planes)) return;
   HeldGains held(samples_.size(), 0.0f);
   List<std::uint32_t> owner(samples_.size(), kNobody);
   for (const Segment& segment : segments_) {

@@ -32,7 +32,7 @@ std::optional<Hypothesis> Verification::alone(const List<std::uint32_t>& part, c
 /// that a tube or cone leads over become tubes.
 bool Verification::separate() {
   const HeldGains held = heldByChosen();
-  const bool tops = !params_.left_out.has(Step::level_tops), steps = !params_.left_out.has(Step::axis_steps);
+  const bool tops = params_.does(Step::level_tops), steps = params_.does(Step::axis_steps);
   bool any = false;
   for (const Segment& segment : segments_) {
     const Kind kind = kindOf(segment.candidate.shape);

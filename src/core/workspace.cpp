@@ -150,7 +150,7 @@ void Detector::Workspace::measureScale() {
 
 void Detector::Workspace::measureImageNoise(const Cloud& image) {
   image_growth = 1.0;
-  if (!depth_camera || !isDepthImage(image) || params.left_out.has(Step::image_noise)) return;
+  if (!depth_camera || !isDepthImage(image) || !params.does(Step::image_noise)) return;
   const ImageNoise noise = primitect::measureImageNoise(image, normal_source, samples);
   result.image_noise = noise.scale;
   normal_source.noise_scale = toleratedScale(noise.scale);

@@ -135,7 +135,7 @@ bool Detector::Workspace::giveToFaces(std::size_t least, const PlaneInImage& pla
 void Detector::Workspace::takeFacesApart(const Cloud& whole, List<LabelRun>& runs) {
   constexpr std::size_t kStrip = 4;  // times smaller than a face
   beside.clear();
-  if (!depth_camera || params.left_out.has(Step::faces_apart)) return;
+  if (!depth_camera || !params.does(Step::faces_apart)) return;
   const double fewest = static_cast<double>(fewestPoints(Kind::plane, whole));
   bool changed = false;
   for (PlaneInImage& plane : planesInImage(runs)) {
@@ -155,7 +155,7 @@ void Detector::Workspace::takeFacesApart(const Cloud& whole, List<LabelRun>& run
 /// What a plane cuts off a thing with a round side, in passing, is no face: it strays more than noise does, and than
 /// the largest face, which has the waves of the camera.
 void Detector::Workspace::distrustUnevenFaces(const List<bool>& measured) {
-  if (params.left_out.has(Step::uneven_faces)) return;
+  if (!params.does(Step::uneven_faces)) return;
   const PointNoise sigma(verification.fullNoise());
   const auto uneven = [&](std::size_t k) {
     if (!measured[k]) return 0.0;

@@ -97,7 +97,7 @@ void Detector::Workspace::findPoints(const Cloud& whole, const ImageRays& rays) 
   labelStretched(thinned.thinned() ? labeling_of_thinned : labeling, whole, runs);
   const Cloud& cloud = thinned.cloud();
   far_sides.assign(depth_camera ? result.items.size() : 0, false);
-  if (depth_camera && !params.left_out.has(Step::far_sides)) {
+  if (depth_camera && params.does(Step::far_sides)) {
     far_sides = markFarSides(cloud, result.items, kept, tolerance, runs, labels);
     List<bool> curved;
     for (const Detection& item : result.items) curved.push_back(kindOf(item.shape) != Kind::plane);
@@ -196,7 +196,7 @@ double Detector::Workspace::stretchOfAxis(const Detection& item) const {
 
 /// Of the detections that were measured.
 void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
-  if (!depth_camera || params.left_out.has(Step::bent_parts)) return;
+  if (!depth_camera || !params.does(Step::bent_parts)) return;
   for (std::size_t k = 0; k < result.items.size(); ++k) {
     for (std::size_t other = 0; other < result.items.size(); ++other) {
       if (!measured[k] || !measured[other] || result.items[other].confidence < leastWhileChoosing(params)) continue;
@@ -208,7 +208,7 @@ void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
 
 /// Of the detections that were measured, of which these are the points; the smaller one of two.
 void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const Cloud& cloud) {
-  if (!depth_camera || params.left_out.has(Step::interleaved)) return;
+  if (!depth_camera || !params.does(Step::interleaved)) return;
   const double least = leastWhileChoosing(params);
   const auto counts = [&](std::size_t k) { return measured[k] && result.items[k].confidence >= least; };
   for (std::size_t k = 0; k < result.items.size(); ++k) {
@@ -240,10 +240,10 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     return isTooWideCone(result.items[k], params) ? std::optional<Refusal>(Refusal::too_large) : std::nullopt;
   };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
+  const bool take_all = !params.does(Step::clear_points);
   for (const std::size_t k : planesFirst(result.items)) {
     if (!enough[k]) continue;
-    const bool all = params.left_out.has(Step::clear_points);
-    const List<std::uint32_t> clear_of_item = all ? points[k].index : clear.of(k, points[k].index);
+    const List<std::uint32_t> clear_of_item = take_all ? points[k].index : clear.of(k, points[k].index);
     ClearPoints::OnSurface on_surface(clear, k, clear_of_item);
     measurement.measure(points[k], clear_of_item, std::ref(on_surface), result.items[k]);
     result.items[k].inlier_count = std::min(result.items[k].inlier_count, result.points_used);

@@ -22,12 +22,10 @@ std::size_t Detector::Workspace::atThisEffort(int count) const {
   return static_cast<std::size_t>(std::ceil(share * count));
 }
 
-/// As few as the same surface gets at this effort: or small ones that are seen would be refused. Less than a dozen
-/// samples on one surface may be chance.
+/// As few as the same surface gets at this effort: or small ones that are seen would be refused.
 int Detector::Workspace::inliersAtThisEffort(double of_samples) const {
-  constexpr int kFewest = 12;
   const double inliers = of_samples * static_cast<double>(atThisEffort(params.min_inliers));
-  return std::min(params.min_inliers, std::max(kFewest, static_cast<int>(inliers)));
+  return std::min(params.min_inliers, std::max(kFewestInliers, static_cast<int>(inliers)));
 }
 
 bool Detector::Workspace::askForTime() {

@@ -52,7 +52,7 @@ void Detector::Workspace::giveToTops(const LevelTops& tops, std::size_t of, cons
 /// samples to tell, all but one were not reported at all; the plane was tilted by up to 1.5 deg before they were told
 /// apart.
 void Detector::Workspace::takeTopsApart(const Cloud& whole, List<LabelRun>& runs) {
-  if (!depth_camera || params.left_out.has(Step::level_tops)) return;
+  if (!depth_camera || !params.does(Step::level_tops)) return;
   const PointNoise sigma(verification.noise());
   bool any = false;
   std::size_t next = 0;

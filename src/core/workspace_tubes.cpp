@@ -93,7 +93,7 @@ bool Detector::Workspace::giveToParts(const List<AxisPart>& parts, std::size_t o
 }
 
 void Detector::Workspace::takeTubesApart(const Cloud& whole, const ImageRays& rays, List<LabelRun>& runs) {
-  if (!depth_camera || !rays.known || params.left_out.has(Step::tubes_apart)) return;
+  if (!depth_camera || !rays.known || !params.does(Step::tubes_apart)) return;
   const PointNoise sigma(verification.fullNoise());
   const DepthRange range = depthRangeOf(params);
   const AskedImage image{thinned.cloud(), rays, range, sigma};

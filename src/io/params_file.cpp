@@ -76,10 +76,10 @@ ParamsFile readParamsFile(const std::string& path) {
   std::set<std::string> seen;
   std::string faults;
   for (const auto& entry : root) {
-    if (!entry.first.IsScalar()) refuse(path, "a key is not a name");
-    const std::string name = entry.first.Scalar();
-    if (!seen.insert(name).second) refuse(path, name + ": given twice");
     try {
+      if (!entry.first.IsScalar()) throw std::invalid_argument("a key is not a name");
+      const std::string name = entry.first.Scalar();
+      if (!seen.insert(name).second) throw std::invalid_argument(name + ": given twice");
       readEntry(name, entry.second, file);
     } catch (const std::invalid_argument& error) {
       faults += (faults.empty() ? "" : "; and: ") + std::string(error.what());

@@ -19,8 +19,8 @@ struct ParamsFile {
 
 /// Reads a flat map: `preset` and any parameter of paramTable(). A file that is empty or all comments says nothing.
 /// Every entry is checked. Throws std::invalid_argument, one line naming the file and of all that is wrong parameter,
-/// value and range: unknown key, wrong type, out of range, unknown preset; and naming file and cause when a key is
-/// repeated or it is no such YAML.
+/// value and range: unknown or repeated key, wrong type, out of range, unknown preset; and naming file and cause when
+/// it is no such YAML.
 ParamsFile readParamsFile(const std::string& path);
 
 /// The preset (or the default one) with the file's values on top; checked as a whole. Throws as readParamsFile().

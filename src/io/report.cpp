@@ -132,6 +132,7 @@ Json fileJson(const FileReport& report) {
   json["sensor"] = sensorJson(report);
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = primitivesJson(found);
+  if (report.late) json["late"] = primitivesJson(*report.late);
   if (report.unlikely) json["unlikely"] = primitivesJson(*report.unlikely);
   if (report.few_inliers) json["few_inliers"] = primitivesJson(*report.few_inliers);
   json["timing_ms"] = timingJson(report.timing_ms);

@@ -29,6 +29,7 @@ struct FileReport {
   int repeats = 1;
   Timing min_ms, max_ms;  ///< with several runs only
   // Where it was asked for:
+  std::optional<Detections> late;         ///< with max_latency: what there was no time for
   std::optional<Detections> unlikely;     ///< what was refused for its confidence
   std::optional<Detections> few_inliers;  ///< what has too few samples, or too few votes
 };
@@ -39,7 +40,7 @@ struct FileReport {
 /// Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none and a sensor at the
 /// origin. With max_latency also "effort", the share of the samples. A file that could not be read: {"file", "error",
 /// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms"; where it was asked for
-/// "unlikely" and "few_inliers", written as "primitives".
+/// "late" (with max_latency), "unlikely" and "few_inliers", written as "primitives".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.

@@ -62,16 +62,21 @@ bool isNodeName(const std::string& name) { return name == "num_worker_threads" |
 
 LoadedParams loadParams(const std::map<std::string, ParamValue>& values) {
   LoadedParams loaded;
-  loaded.preset = presetOf(values);
-  loaded.params = presetParams(loaded.preset);
   std::string faults;
-  for (const auto& [name, value] : values) {
-    if (name == "preset" || isNodeName(name)) continue;
+  const auto collect = [&faults](const auto& take) {
     try {
-      setParam(loaded.params, name, value);
+      take();
     } catch (const std::invalid_argument& error) {
       faults += (faults.empty() ? "" : "; and: ") + std::string(error.what());
     }
+  };
+  collect([&] {
+    loaded.preset = presetOf(values);
+    loaded.params = presetParams(loaded.preset);
+  });
+  for (const auto& value : values) {
+    if (value.first == "preset" || isNodeName(value.first)) continue;
+    collect([&] { setParam(loaded.params, value.first, value.second); });
   }
   if (!faults.empty()) throw std::invalid_argument(faults);
   checkParams(loaded.params);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,21 +28,25 @@ inline std::string meantOption(const CLI::App& app) {
   return "";
 }
 
-/// Throws std::invalid_argument for "max_depth:=1", as nodes and launch files take it; it would be taken for a file.
-inline void refuseNodeArguments(int argc, char** argv) {
+/// Throws std::invalid_argument for "max_depth:=1", as nodes and launch files take it, where a file is expected and
+/// none has that name.
+inline void refuseNodeArguments(const CLI::App& app, int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
-    const std::string text = argv[k];
-    const std::size_t name_end = text.find(":="), name_begin = text.find_first_not_of('_');
-    if (name_end == std::string::npos || text[0] == '-' || name_begin >= name_end) continue;
-    throw std::invalid_argument("'" + text + "' is how nodes and launch files are told; here it is '--" +
-                                text.substr(name_begin, name_end - name_begin) + " " + text.substr(name_end + 2) +
+    const std::string text = argv[k], before = argv[k - 1];
+    const std::size_t name_end = text.find(":=");
+    const bool value = before[0] == '-' && before.find('=') == std::string::npos;
+    if (name_end == std::string::npos || text[0] == '-' || value || std::filesystem::exists(text)) continue;
+    const std::string name = text.substr(text.find_first_not_of('_'), name_end - text.find_first_not_of('_'));
+    const std::string here =
+        app.get_option_no_throw("--" + name) ? "--" + name + " " + text.substr(name_end + 2) : "--NAME VALUE";
+    throw std::invalid_argument("'" + text + "' is how nodes and launch files are told; here it is '" + here +
                                 "' (see --help)");
   }
 }
 
 /// False when all is said (--help, --version). Throws std::invalid_argument, one line, for what is wrong.
 inline bool parseOrSay(CLI::App& app, int argc, char** argv) try {
-  refuseNodeArguments(argc, argv);
+  refuseNodeArguments(app, argc, argv);
   app.parse(argc, argv);
   return true;
 } catch (const CLI::ParseError& error) {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "io/label_file.h"
 #include "io/picture.h"
@@ -71,8 +72,9 @@ void writePointOutputs(const Targets& targets, std::size_t index, const std::vec
 
 void toFrameOfFile(const Eigen::Isometry3d& points_from_sensor, io::FileReport& report) {
   primitect::transformDetections(points_from_sensor, report.detections);
-  if (report.unlikely) primitect::transformDetections(points_from_sensor, *report.unlikely);
-  if (report.few_inliers) primitect::transformDetections(points_from_sensor, *report.few_inliers);
+  for (auto* unreported : {&report.late, &report.unlikely, &report.few_inliers}) {
+    if (*unreported) primitect::transformDetections(points_from_sensor, **unreported);
+  }
 }
 
 io::FileReport processFile(const tools::DetectOptions& options, const Targets& targets, std::size_t index,
@@ -92,8 +94,10 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   if (targets.labels.wanted() || targets.picture.wanted() || options.unlikely) detector.label(input.cloud, labels);
   writePointOutputs(targets, index, labels, input, report);
   if (options.unlikely) {
-    report.unlikely = tools::tooUnlikely(input, labels);
-    report.few_inliers = tools::tooFew(input, labels);
+    tools::Unreported unreported = tools::searchUnreported(input, report.effort.has_value(), labels);
+    report.late = std::move(unreported.late);
+    report.unlikely = std::move(unreported.unlikely);
+    report.few_inliers = std::move(unreported.few_inliers);
   }
   if (input.sensor) toFrameOfFile(input.sensor->pointsFromSensor(), report);
   if (targets.json.perInput()) tools::writeTextFile(targets.json.path(index), io::reportJson(report));

@@ -65,10 +65,11 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
       ->type_name("\"X Y Z QX QY QZ QW\"");
   app.add_flag(
       "--unlikely", options.unlikely,
-      "also what was refused for its confidence, and what fewer samples would make, where nothing else is: why "
-      "is my object missing?");
+      "also what was refused for its confidence, and what fewer samples or votes would make, where nothing else is: "
+      "why is my object missing?");
   app.add_option("--without", raw.left_out, "leave out a step, to learn what it brings; repeatable: " + stepList())
-      ->type_name("STEP");
+      ->type_name("STEP")
+      ->allow_extra_args(false);
   app.add_option("--example", raw.example,
                  "write a simulated camera's view of a table, as PCD or depth PNG, say how to go on with it, and end")
       ->type_name("FILE");
@@ -172,6 +173,7 @@ std::optional<DetectOptions> parseDetectOptions(int argc, char** argv) {
   }
   takeMainOptions(app, raw, options);
   if (param_options.printWanted()) {
+    if (!raw.left_out.empty()) throw std::invalid_argument("--print-params prints parameters, --without is none");
     std::cout << options.params.asYaml();
     return std::nullopt;
   }

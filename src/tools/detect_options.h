@@ -20,7 +20,7 @@ struct DetectOptions {
   std::optional<io::SensorPose> sensor;  ///< in the frame of the files; none: at its origin
   ParamLayers params;
   int repeats = 1;
-  bool unlikely = false;  ///< what was too unlikely is wanted, too
+  bool unlikely = false;  ///< what was not reported is wanted, too
   Steps left_out;
 };
 

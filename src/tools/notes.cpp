@@ -107,6 +107,15 @@ std::string intrinsicsText(const io::PointFile& read) {
       read.intrinsics->cx, read.intrinsics->cy, read.cloud.width, read.cloud.height);
 }
 
+std::string leftOutText(const Params& params) {
+  std::string names;
+  for (const StepInfo& step : stepTable()) {
+    if (!params.does(step.step)) names += (names.empty() ? "" : ", ") + step.name;
+  }
+  if (names.empty()) return "";
+  return "  note: without " + names + (params.verify ? "" : ", which does nothing where verify is off") + "\n";
+}
+
 }  // namespace
 
 std::string ignoredFramesText(const DetectOptions& options) {
@@ -123,7 +132,7 @@ std::string ignoredFramesText(const DetectOptions& options) {
 std::string notesText(const Detections& found, const DetectInput& input) {
   return unitsText(found, input.seen()) + intrinsicsText(input.file) + foundSensorText(input) +
          otherFrameText(found, input) + assumedOriginText(found, input) + normalsText(found) + beyondText(input) +
-         noiseText(found);
+         noiseText(found) + leftOutText(input.params);
 }
 
 }  // namespace primitect::tools

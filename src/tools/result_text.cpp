@@ -148,7 +148,8 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
   } else {
     text += headingText();
   }
-  text += rowsText(found) + missingText("refused as too unlikely (min_confidence)", report.unlikely);
+  text += rowsText(found) + missingText("would come out without max_latency", report.late);
+  text += missingText("refused as too unlikely (min_confidence)", report.unlikely);
   const int fewest = fewestInliers(input.params);
   text += missingText(format("would come out with min_inliers %d and min_votes 0", fewest), report.few_inliers);
   text += refusedText(found.refusals, input.params);

@@ -11,8 +11,9 @@
 namespace primitect::tools {
 namespace {
 
-/// What a search with other parameters finds mostly on points of which the first made nothing.
-Detections foundElsewhere(const Cloud& cloud, const Params& params, const std::vector<std::uint32_t>& labels) {
+/// What a search with other parameters finds mostly on points that carry no label yet. Those below this confidence
+/// only; their points are labelled.
+Detections foundElsewhere(const Cloud& cloud, const Params& params, double below, std::vector<std::uint32_t>& labels) {
   constexpr double kMostly = 0.5;
   Detector detector(params);
   const Detections& found = detector.detect(cloud);
@@ -24,38 +25,37 @@ Detections foundElsewhere(const Cloud& cloud, const Params& params, const std::v
     ++all[now[i] - 1];
     of_nothing[now[i] - 1] += labels[i] == 0 ? 1 : 0;
   }
+  std::vector<bool> elsewhere;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool mostly = static_cast<double>(of_nothing[k]) >= kMostly * static_cast<double>(all[k]);
+    elsewhere.push_back(all[k] > 0 && mostly && found.items[k].confidence < static_cast<float>(below));
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] > 0 && elsewhere[now[i] - 1]) labels[i] = now[i];
+  }
   Detections result = found;
   result.items.clear();
-  for (std::size_t k = 0; k < found.items.size(); ++k) {
-    const bool elsewhere = static_cast<double>(of_nothing[k]) >= kMostly * static_cast<double>(all[k]);
-    if (elsewhere) result.items.push_back(found.items[k]);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (elsewhere[k]) result.items.push_back(found.items[k]);
   }
   return result;
 }
 
 }  // namespace
 
-Detections tooUnlikely(const DetectInput& input, const std::vector<std::uint32_t>& labels) {
-  Params params = input.params;
-  params.min_confidence = 0.0;
-  Detections found = foundElsewhere(input.cloud, params, labels);
-  const auto likely = [&input](const Detection& item) {
-    return item.confidence >= static_cast<float>(input.params.min_confidence);
-  };
-  found.items.erase(std::remove_if(found.items.begin(), found.items.end(), likely), found.items.end());
-  return found;
+Unreported searchUnreported(const DetectInput& input, bool hurried, std::vector<std::uint32_t> labels) {
+  constexpr double kAny = 2.0;  // confidence: all are below
+  Params doubtful = input.params, few = input.params;
+  doubtful.min_confidence = 0.0;
+  few.min_inliers = fewestInliers(input.params);
+  few.min_votes = 0.0;
+  Unreported unreported;
+  if (hurried) unreported.late = foundElsewhere(input.cloud, input.params, kAny, labels);
+  unreported.unlikely = foundElsewhere(input.cloud, doubtful, input.params.min_confidence, labels);
+  unreported.few_inliers = foundElsewhere(input.cloud, few, kAny, labels);
+  return unreported;
 }
 
-int fewestInliers(const Params& params) {
-  constexpr int kFewest = 12;
-  return std::min(params.min_inliers, kFewest);
-}
-
-Detections tooFew(const DetectInput& input, const std::vector<std::uint32_t>& labels) {
-  Params params = input.params;
-  params.min_inliers = fewestInliers(params);
-  params.min_votes = 0.0;
-  return foundElsewhere(input.cloud, params, labels);
-}
+int fewestInliers(const Params& params) { return std::min(params.min_inliers, kFewestInliers); }
 
 }  // namespace primitect::tools

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Planes along the flanks of tubes, which the waves of a real camera's depths make, are the tube's points.
+// Tubes in the waves of a real camera's depths: what passes for planes along their flanks has too few points, and these
+// are the tube's.
 #include <gtest/gtest.h>
 
 #include <cmath>

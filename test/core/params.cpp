@@ -54,6 +54,7 @@ TEST(ParamTable, SaysWhichParameterMayBeMeantByAnUnknownOne) {
   EXPECT_EQ(said("closer_smaples"), "unknown parameter 'closer_smaples'; did you mean 'closer_samples'?");
   EXPECT_EQ(said("min_half_angle"), "unknown parameter 'min_half_angle'; did you mean 'min_half_angle_deg'?");
   EXPECT_EQ(said("presett"), "unknown parameter 'presett'; did you mean 'preset'?") << "in files it stands among them";
+  EXPECT_EQ(said("preset"), "unknown parameter 'preset'");
   EXPECT_EQ(said("mx_dept"), "unknown parameter 'mx_dept'") << "two of seven letters";
   EXPECT_EQ(said("detect_torus"), "unknown parameter 'detect_torus'");
   EXPECT_EQ(said("depth"), "unknown parameter 'depth'");

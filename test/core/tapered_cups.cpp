@@ -126,19 +126,19 @@ TEST(TaperedCups, AreCylindersWithAConeForRivalBelowTheLeastHalfAngle) { expectC
 
 /// As cones their points do not determine all of them: without falling back to the cylinder 51 are left.
 TEST(TaperedCups, AreNotLostWhereTheyAreSmallAndFar) {
-  constexpr std::uint64_t kBoth = 3;  // seeds that are looked at both ways
+  constexpr std::uint64_t kFew = 3;  // seeds that are looked at both ways
   Setting without;
   without.params.left_out.add(Step::undetermined_cones);
-  std::size_t found = 0, of_both = 0, without_cylinders = 0;
+  std::size_t found = 0, in_few = 0, in_few_without = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const std::size_t cups = cupsOf(7.0, seed, 0.6, 1.3).size();
     found += cups;
-    if (seed > kBoth) continue;
-    of_both += cups;
-    without_cylinders += cupsOf(7.0, seed, 0.6, 1.3, without).size();
+    if (seed > kFew) continue;
+    in_few += cups;
+    in_few_without += cupsOf(7.0, seed, 0.6, 1.3, without).size();
   }
   EXPECT_GE(found, 57u) << "of 90, of which a quarter has too few points";
-  EXPECT_GT(of_both, without_cylinders);
+  EXPECT_GT(in_few, in_few_without);
 }
 
 TEST(TaperedCups, AreCylindersWithAConeForRivalWhereFewPointsAreSeen) {

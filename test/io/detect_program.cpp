@@ -80,8 +80,20 @@ TEST_F(DetectProgram, ShowsWhatHadTooFewSamplesOrVotes) {
   EXPECT_NE(out.find("would come out with min_inliers 12 and min_votes 0, where nothing above is:\n"),
             std::string::npos)
       << out;
+  EXPECT_FALSE(usual.contains("late"));
   EXPECT_EQ(run(ball + " --unlikely --min_inliers 8"), 0);
   EXPECT_NE(out.find("would come out with min_inliers 8 and"), std::string::npos) << out;
+}
+
+/// And blames nothing else for it.
+TEST_F(DetectProgram, ShowsWhatThereWasNoTimeFor) {
+  const Json hurried = runJson(ball + " --unlikely --max_latency 0.0001 --min_inliers 100 --repeat 5");
+  const bool reported = sphereIn(hurried["primitives"]) != hurried["primitives"].end();
+  const bool late = sphereIn(hurried["late"]) != hurried["late"].end();
+  EXPECT_NE(reported, late) << hurried.dump(1);
+  EXPECT_EQ(sphereIn(hurried["few_inliers"]), hurried["few_inliers"].end());
+  EXPECT_EQ(run(ball + " --unlikely --max_latency 0.1"), 0);
+  EXPECT_NE(out.find("would come out without max_latency, where nothing above is: none\n"), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
@@ -186,14 +198,27 @@ TEST_F(DetectProgram, SaysWhichOptionMayBeMeantByAnUnknownOne) {
     EXPECT_EQ(run(ball + as_node), 2);
     EXPECT_NE(err.find("here it is '--max_depth 1' (see --help)"), std::string::npos) << err;
   }
+  EXPECT_EQ(run(ball + " input:=/camera/points"), 2);
+  EXPECT_NE(err.find("here it is '--NAME VALUE' (see --help)"), std::string::npos) << err;
+  EXPECT_EQ(run(ball + " --json " + path("x:=y.json")), 0) << "a name of a file all the same";
   EXPECT_EQ(run(ball + " --nothing-like-it"), 2);
   EXPECT_EQ(err.find("did you mean"), std::string::npos) << err;
 }
 
 TEST_F(DetectProgram, LeavesStepsOut) {
-  const Json usual = runJson(ball), without = runJson(ball + " --without last_fit --without upright");
-  ASSERT_NE(sphereIn(without["primitives"]), without["primitives"].end());
-  EXPECT_NE((*sphereIn(usual["primitives"]))["radius"], (*sphereIn(without["primitives"]))["radius"]);
+  const auto foundBy = [&](const std::string& arguments) { return runJson(arguments)["primitives"]; };
+  const Json usual = foundBy(ball), no_fit = foundBy("--without last_fit " + ball);
+  const Json no_noise = foundBy("--without noise " + ball);
+  const Json neither = foundBy("--without last_fit --without noise " + ball);
+  EXPECT_NE((*sphereIn(usual))["radius"], (*sphereIn(no_fit))["radius"]);
+  EXPECT_NE(usual, no_noise);
+  EXPECT_NE(neither, no_fit);
+  EXPECT_NE(neither, no_noise);
+  EXPECT_EQ(run(ball + " --without last_fit --without upright"), 0);
+  EXPECT_NE(out.find("note: without last_fit, upright\n"), std::string::npos) << out;
+  EXPECT_EQ(run(ball + " --without last_fit --preset paper"), 0);
+  EXPECT_NE(out.find("without last_fit, which does nothing where verify is off\n"), std::string::npos) << out;
+  EXPECT_EQ(run("--print-params --without last_fit"), 2);
   EXPECT_EQ(run(ball + " --without lastfit"), 2);
   EXPECT_NE(err.find("unknown step 'lastfit'; did you mean 'last_fit'?"), std::string::npos) << err;
 }

@@ -73,8 +73,8 @@ TEST_F(ParamsFiles, AreRefusedForUnknownNames) {
 }
 
 TEST_F(ParamsFiles, AreRefusedForAllThatIsWrongAtOnce) {
-  expectRefusal("max_dpth: 3.0\nsamples: 512\nmin_radus: 0.1\npreset: best\n",
-                {"'max_dpth'; did you mean 'max_depth'?; and: ", "'min_radus'", "preset"});
+  expectRefusal("max_dpth: 3.0\nsamples: 512\nmin_radus: 0.1\npreset: best\nsamples: 512\n[a]: 1\n",
+                {"'max_dpth'; did you mean 'max_depth'?; and: ", "'min_radus'", "preset", "twice", "not a name"});
 }
 
 TEST_F(ParamsFiles, AreRefusedForValuesOutOfRange) {

@@ -51,7 +51,8 @@ TEST(Parameters, AreRefusedWithNameValueAndRange) {
 }
 
 TEST(Parameters, AreRefusedForAllThatIsWrongAtOnce) {
-  expectRefused({{"max_dept", 3.0}, {"samples", 100.5}, {"rounds", 1}}, {"max_dept", "; and: ", "samples", "100.5"});
+  expectRefused({{"max_dept", 3.0}, {"preset", Text("best")}, {"samples", 100.5}, {"rounds", 1}},
+                {"'best'", "; and: ", "max_dept", "samples", "100.5"});
 }
 
 TEST(Parameters, LeaveNamesOfTheNodeAlone) {
