@@ -9,17 +9,19 @@
 namespace primitect {
 namespace {
 
-/// Letters to put in, take out or change until one word is the other (Levenshtein).
+/// Letters to put in, take out, change or swap with the next until one word is the other (Damerau and Levenshtein).
 std::size_t changesBetween(const std::string& one, const std::string& other) {
-  std::vector<std::size_t> row(other.size() + 1);
+  std::vector<std::size_t> row(other.size() + 1), last(row), last_but_one(row);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= one.size(); ++i) {
-    std::size_t diagonal = row[0];
+    last_but_one = last;
+    last = row;
     row[0] = i;
     for (std::size_t j = 1; j <= other.size(); ++j) {
-      const std::size_t changed = diagonal + (one[i - 1] == other[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+      const std::size_t changed = last[j - 1] + (one[i - 1] == other[j - 1] ? 0 : 1);
+      row[j] = std::min({changed, last[j] + 1, row[j - 1] + 1});
+      const bool swapped = i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1];
+      if (swapped) row[j] = std::min(row[j], last_but_one[j - 2] + 1);
     }
   }
   return row.back();

@@ -48,9 +48,12 @@ void readEntry(const std::string& name, const YAML::Node& node, ParamsFile& file
     presetParams(file.preset);
     return;
   }
+  if (node.IsMap()) {
+    throw std::invalid_argument("'" + name + "' has names below it, expected lines 'parameter: value' without it");
+  }
   const ParamInfo& info = paramInfo(name);
   if (!node.IsScalar()) {
-    throw std::invalid_argument("parameter '" + name + "' is " + (node.IsNull() ? "empty" : "a list or map") +
+    throw std::invalid_argument("parameter '" + name + "' is " + (node.IsNull() ? "empty" : "a list") +
                                 ", allowed: " + rangeText(info));
   }
   const ParamValue value = scalarValue(node);

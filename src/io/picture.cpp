@@ -80,17 +80,24 @@ std::string countText(int count, Kind kind) {
   return std::to_string(count) + " " + kindName(kind) + (count == 1 ? "" : "s");
 }
 
-bool farther(const LabelledPoints& points) {
-  const std::vector<float>& z = points.cloud.z;
-  return points.used.max > 0.0f &&
-         std::any_of(z.begin(), z.end(), [&](float depth) { return depth > points.used.max; });
+/// "nearer than 1.00 m or farther than 2.00 m", what of it there is.
+std::string notUsedText(const LabelledPoints& points) {
+  const auto any = [&points](auto&& isCut) { return std::any_of(points.cloud.z.begin(), points.cloud.z.end(), isCut); };
+  std::string text;
+  if (any([&](float z) { return 0.0f < z && z < points.used.min; }))
+    text = "nearer than " + lengthText(points.used.min);
+  if (any([&](float z) { return points.used.max > 0.0f && z > points.used.max; })) {
+    text += (text.empty() ? "" : " or ") + ("farther than " + lengthText(points.used.max));
+  }
+  return text;
 }
 
 /// Counts of each kind in its colour, then what the shades mean.
 cv::Mat drawCaption(const LabelledPoints& points, const std::string& title, int width) {
   const double scale = textScale(width);
   const int line = static_cast<int>(42 * scale);
-  cv::Mat caption(2 * line + line / 2, width, CV_8UC3, cv::Scalar::all(30));
+  const std::string not_used = notUsedText(points);
+  cv::Mat caption((not_used.empty() ? 2 : 3) * line + line / 2, width, CV_8UC3, cv::Scalar::all(30));
   const auto write = [&](const std::string& text, int x, int row, const cv::Scalar& color) {
     cv::putText(caption, text, {x, row * line}, cv::FONT_HERSHEY_SIMPLEX, scale, color, 1, cv::LINE_AA);
     return x + cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, nullptr).width + line / 2;
@@ -104,9 +111,9 @@ cv::Mat drawCaption(const LabelledPoints& points, const std::string& title, int 
     x = write(countText(counts[k], kind), x + line, 1, cv::Scalar::all(counts[k] > 0 ? 255 : 150));
   }
   std::string second = points.detections.items.empty() ? "Nothing found: " + reasonText(points.detections)
-                                                       : "Tinted points belong to the outlined shape.";
-  if (farther(points)) second += " Dark: farther than " + lengthText(points.used.max) + ", not used.";
+                                                       : "Tinted: of the outlined shape. Grey to white: of none.";
   write(second + (points.cloud.organized() ? " Black: not measured." : ""), line / 2, 2, cv::Scalar::all(190));
+  if (!not_used.empty()) write("Dark: " + not_used + ", not used.", line / 2, 3, cv::Scalar::all(190));
   return caption;
 }
 

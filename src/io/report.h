@@ -11,6 +11,7 @@
 
 #include "io/sensor_pose.h"
 #include "primitect/primitives.h"
+#include "primitect/steps.h"
 
 namespace primitect::io {
 
@@ -27,6 +28,8 @@ struct FileReport {
   std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
   Timing timing_ms;                  ///< with several runs: the medians
   int repeats = 1;
+  unsigned late_runs = 0;  ///< with max_latency: how many of them took longer
+  Steps left_out;
   Timing min_ms, max_ms;  ///< with several runs only
   // Where it was asked for:
   std::optional<Detections> late;         ///< with max_latency: what there was no time for

@@ -49,6 +49,7 @@ void runDetector(primitect::Detector& detector, const tools::DetectInput& input,
     if (governor) report.effort = governor->share();
     const tools::TimedRun run = tools::timeDetection(detector, input.cloud, governor ? &*governor : nullptr);
     runs.push_back(run.timing_ms);
+    if (governor && 1e-3 * run.timing_ms.back().second > governor->bound()) ++report.late_runs;
     if (i + 1 == repeats) report.detections = run.found;
   }
   const tools::TimingSummary summary = tools::summarize(runs);
@@ -86,6 +87,7 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   report.timing_ms.emplace_back("read", reading.lapMs());
   report.sensor = input.sensor;
   report.found_sensor = input.found_sensor;
+  report.left_out = input.params.left_out;
   primitect::Detector detector(input.params);
   const double bound = input.params.max_latency;
   if (bound > 0.0 && !governor) governor.emplace(bound, primitect::leastShare(input.params));
@@ -93,7 +95,7 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   std::vector<std::uint32_t> labels;
   if (targets.labels.wanted() || targets.picture.wanted() || options.unlikely) detector.label(input.cloud, labels);
   writePointOutputs(targets, index, labels, input, report);
-  if (options.unlikely) {
+  if (options.unlikely && report.detections.status == primitect::Status::ok) {
     tools::Unreported unreported = tools::searchUnreported(input, report.effort.has_value(), labels);
     report.late = std::move(unreported.late);
     report.unlikely = std::move(unreported.unlikely);

@@ -107,6 +107,22 @@ std::string intrinsicsText(const io::PointFile& read) {
       read.intrinsics->cx, read.intrinsics->cy, read.cloud.width, read.cloud.height);
 }
 
+/// What was switched off is not found, however well it is seen.
+std::string notLookedForText(const Params& params) {
+  std::string what, by;
+  const auto add = [&](bool on, const char* shapes, const char* parameter) {
+    if (on) return;
+    what += std::string(what.empty() ? "" : ", ") + shapes;
+    by += std::string(by.empty() ? "" : ", ") + parameter;
+  };
+  add(params.detect_planes, "planes", "detect_planes");
+  add(params.detect_spheres, "spheres", "detect_spheres");
+  add(params.detect_cylinders, "cylinders", "detect_cylinders");
+  add(params.detect_cones, "cones", "detect_cones");
+  add(params.convexity != "concave", "outsides of curved shapes", "convexity");
+  return what.empty() ? "" : "  note: not looked for: " + what + " (" + by + ")\n";
+}
+
 std::string leftOutText(const Params& params) {
   std::string names;
   for (const StepInfo& step : stepTable()) {
@@ -132,7 +148,7 @@ std::string ignoredFramesText(const DetectOptions& options) {
 std::string notesText(const Detections& found, const DetectInput& input) {
   return unitsText(found, input.seen()) + intrinsicsText(input.file) + foundSensorText(input) +
          otherFrameText(found, input) + assumedOriginText(found, input) + normalsText(found) + beyondText(input) +
-         noiseText(found) + leftOutText(input.params);
+         noiseText(found) + notLookedForText(input.params) + leftOutText(input.params);
 }
 
 }  // namespace primitect::tools

@@ -3,6 +3,7 @@
 // Tables for a terminal.
 #include "tools/result_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/depths_text.h"
@@ -80,9 +81,11 @@ std::string missingText(const std::string& what, const std::optional<Detections>
 }
 
 /// "Why is my object missing?" in one line.
-std::string refusedText(const Refusals& refusals, const Params& params) {
-  const std::string counts = io::refusalsText(refusals, params);
-  return counts.empty() ? "" : "  tried and refused: " + counts + "\n";
+std::string refusedText(const io::FileReport& report, const Params& params) {
+  const std::string counts = io::refusalsText(report.detections.refusals, params);
+  const bool searched = report.unlikely || report.few_inliers;
+  return counts.empty() ? ""
+                        : "  tried and refused: " + counts + (searched ? "" : "; --unlikely looks for more") + "\n";
 }
 
 std::string timesText(const io::FileReport& report) {
@@ -114,6 +117,26 @@ std::string rangeText(const DepthRange& range) {
   return text;
 }
 
+/// How many measured points lie on the other side of which bound: " (98832 beyond max_depth 2 m)".
+std::string cutText(const Cloud& whole, const DepthRange& range) {
+  const auto count = [&whole](auto&& isCut) { return std::count_if(whole.z.begin(), whole.z.end(), isCut); };
+  const auto nearer = count([&](float z) { return 0.0f < z && z < range.min; });
+  const auto farther = count([&](float z) { return range.max > 0.0f && z > range.max; });
+  std::string text;
+  if (nearer > 0) text = format("%zu nearer than min_depth %.4g m", static_cast<std::size_t>(nearer), range.min);
+  if (farther > 0) {
+    text +=
+        format("%s%zu beyond max_depth %.4g m", text.empty() ? "" : ", ", static_cast<std::size_t>(farther), range.max);
+  }
+  return text.empty() ? "" : " (" + text + ")";
+}
+
+std::string latencyText(const io::FileReport& report, const Params& params) {
+  if (!(report.late_runs > 0)) return "";
+  return format("  note: %u of %d runs took longer than max_latency (%.4g ms)\n", report.late_runs, report.repeats,
+                1000.0 * params.max_latency);
+}
+
 bool anyKind(const Params& params) {
   return params.detect_planes || params.detect_spheres || params.detect_cylinders || params.detect_cones;
 }
@@ -140,9 +163,10 @@ std::string emptyText(const io::FileReport& report, const DetectInput& input) {
 std::string resultText(const io::FileReport& report, const DetectInput& input) {
   const Detections& found = report.detections;
   std::string text = report.file + ": " + sizeText(input.cloud) + ", " +
-                     format("%u points used, %u samples%s, scene diameter %.3g m\n", found.points_used, found.samples,
-                            effortText(report).c_str(), found.scene_diameter);
-  text += notesText(found, input);
+                     format("%u points used%s, %u samples%s, scene diameter %.3g m\n", found.points_used,
+                            cutText(input.seen(), input.range).c_str(), found.samples, effortText(report).c_str(),
+                            found.scene_diameter);
+  text += notesText(found, input) + latencyText(report, input.params);
   if (found.items.empty()) {
     text += "  nothing found: " + emptyText(report, input) + "\n";
   } else {
@@ -152,7 +176,7 @@ std::string resultText(const io::FileReport& report, const DetectInput& input) {
   text += missingText("refused as too unlikely (min_confidence)", report.unlikely);
   const int fewest = fewestInliers(input.params);
   text += missingText(format("would come out with min_inliers %d and min_votes 0", fewest), report.few_inliers);
-  text += refusedText(found.refusals, input.params);
+  text += refusedText(report, input.params);
   return text + (report.repeats > 1 ? repeatsText(report) : timesText(report));
 }
 

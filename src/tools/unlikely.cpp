@@ -51,7 +51,9 @@ Unreported searchUnreported(const DetectInput& input, bool hurried, std::vector<
   few.min_votes = 0.0;
   Unreported unreported;
   if (hurried) unreported.late = foundElsewhere(input.cloud, input.params, kAny, labels);
-  unreported.unlikely = foundElsewhere(input.cloud, doubtful, input.params.min_confidence, labels);
+  if (input.params.verify) {
+    unreported.unlikely = foundElsewhere(input.cloud, doubtful, input.params.min_confidence, labels);
+  }
   unreported.few_inliers = foundElsewhere(input.cloud, few, kAny, labels);
   return unreported;
 }

@@ -14,8 +14,8 @@ namespace primitect::tools {
 
 /// Shapes that were not reported, mostly on points of which nothing else was made. In the frame of the sensor.
 struct Unreported {
-  std::optional<Detections> late;  ///< where time was bounded: what there was none for
-  Detections unlikely;             ///< below min_confidence: of a search with min_confidence: 0
+  std::optional<Detections> late;      ///< where time was bounded: what there was none for
+  std::optional<Detections> unlikely;  ///< with verify: below min_confidence, of a search with min_confidence: 0
   Detections few_inliers;  ///< with too few samples or votes: of one with min_inliers: fewestInliers(), min_votes: 0
 };
 

@@ -51,6 +51,8 @@ TEST(ParamTable, SaysWhichParameterMayBeMeantByAnUnknownOne) {
   EXPECT_EQ(said("max_dept"), "unknown parameter 'max_dept'; did you mean 'max_depth'?");
   EXPECT_EQ(said("maxdepth"), "unknown parameter 'maxdepth'; did you mean 'max_depth'?");
   EXPECT_EQ(said("min_radus"), "unknown parameter 'min_radus'; did you mean 'min_radius'?");
+  EXPECT_EQ(said("max_dpeth"), "unknown parameter 'max_dpeth'; did you mean 'max_depth'?");
+  EXPECT_EQ(said("max_dpteh"), "unknown parameter 'max_dpteh'") << "two swaps";
   EXPECT_EQ(said("closer_smaples"), "unknown parameter 'closer_smaples'; did you mean 'closer_samples'?");
   EXPECT_EQ(said("min_half_angle"), "unknown parameter 'min_half_angle'; did you mean 'min_half_angle_deg'?");
   EXPECT_EQ(said("presett"), "unknown parameter 'presett'; did you mean 'preset'?") << "in files it stands among them";

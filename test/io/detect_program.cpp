@@ -51,7 +51,7 @@ TEST_F(DetectProgram, PrintsHowSureItIsAndWhatItRefused) {
   EXPECT_NE(row.find(" %"), std::string::npos) << row;
   EXPECT_EQ(run(ball + " --min_confidence 1"), 0);
   EXPECT_NE(out.find("nothing found: no shape"), std::string::npos) << out;
-  EXPECT_NE(out.find(" unlikely (see min_confidence)\n"), std::string::npos) << out;
+  EXPECT_NE(out.find(" unlikely (see min_confidence); --unlikely looks for more\n"), std::string::npos) << out;
 }
 
 Json::const_iterator sphereIn(const Json& list) {
@@ -92,7 +92,10 @@ TEST_F(DetectProgram, ShowsWhatThereWasNoTimeFor) {
   const bool late = sphereIn(hurried["late"]) != hurried["late"].end();
   EXPECT_NE(reported, late) << hurried.dump(1);
   EXPECT_EQ(sphereIn(hurried["few_inliers"]), hurried["few_inliers"].end());
-  EXPECT_EQ(run(ball + " --unlikely --max_latency 0.1"), 0);
+  EXPECT_EQ(run(ball + " --max_latency 0.0001 --repeat 5"), 0);
+  EXPECT_NE(out.find(" of 5 runs took longer than max_latency (0.1 ms)\n"), std::string::npos) << out;
+  EXPECT_EQ(run(ball + " --unlikely --max_latency 1"), 0);
+  EXPECT_EQ(out.find("took longer"), std::string::npos) << out;
   EXPECT_NE(out.find("would come out without max_latency, where nothing above is: none\n"), std::string::npos) << out;
 }
 
@@ -114,6 +117,7 @@ TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
   EXPECT_NEAR((*seen)["center"][2].get<double>(), (*found)["center"][2].get<double>(), 0.005);
   EXPECT_EQ(run(ball + " --unlikely --min_confidence 1"), 0);
   EXPECT_NE(out.find("refused as too unlikely (min_confidence), where nothing above is:"), std::string::npos) << out;
+  EXPECT_EQ(out.find("--unlikely"), std::string::npos) << "it was asked for";
 }
 
 TEST_F(DetectProgram, PrintsWhereAPlaneFaces) {
@@ -200,9 +204,26 @@ TEST_F(DetectProgram, SaysWhichOptionMayBeMeantByAnUnknownOne) {
   }
   EXPECT_EQ(run(ball + " input:=/camera/points"), 2);
   EXPECT_NE(err.find("here it is '--NAME VALUE' (see --help)"), std::string::npos) << err;
+  EXPECT_EQ(run(ball + " max_depth=1"), 2);
+  EXPECT_NE(err.find("'max_depth=1' is no file; it is '--max_depth 1' (see --help)"), std::string::npos) << err;
+  EXPECT_EQ(run(ball + " --min_radus 1 --max_dpeth 1"), 2);
+  EXPECT_NE(err.find("'--min_radius'?; did you mean '--max_depth'? (see"), std::string::npos) << err;
   EXPECT_EQ(run(ball + " --json " + path("x:=y.json")), 0) << "a name of a file all the same";
   EXPECT_EQ(run(ball + " --nothing-like-it"), 2);
   EXPECT_EQ(err.find("did you mean"), std::string::npos) << err;
+}
+
+TEST_F(DetectProgram, SaysWhatWasNotLookedForAndWhatWasCutAway) {
+  EXPECT_EQ(run(ball + " --detect_spheres false --detect_cones false --convexity concave"), 0);
+  EXPECT_NE(out.find("note: not looked for: spheres, cones, outsides of curved shapes (detect_spheres, detect_cones, "
+                     "convexity)\n"),
+            std::string::npos)
+      << out;
+  EXPECT_EQ(run(ball), 0);
+  EXPECT_EQ(out.find("not looked for"), std::string::npos) << out;
+  EXPECT_EQ(out.find("max_depth"), std::string::npos) << "nothing is cut away: " << out;
+  EXPECT_EQ(run(ball + " --unlikely --min_depth 0.95 --max_depth 1.2"), 0);
+  EXPECT_NE(out.find(" nearer than min_depth 0.95 m, 2025 beyond max_depth 1.2 m), "), std::string::npos) << out;
 }
 
 TEST_F(DetectProgram, LeavesStepsOut) {
@@ -216,6 +237,8 @@ TEST_F(DetectProgram, LeavesStepsOut) {
   EXPECT_NE(neither, no_noise);
   EXPECT_EQ(run(ball + " --without last_fit --without upright"), 0);
   EXPECT_NE(out.find("note: without last_fit, upright\n"), std::string::npos) << out;
+  EXPECT_EQ(runJson(ball + " --without last_fit --without upright")["without"], Json({"last_fit", "upright"}));
+  EXPECT_FALSE(runJson(ball).contains("without"));
   EXPECT_EQ(run(ball + " --without last_fit --preset paper"), 0);
   EXPECT_NE(out.find("without last_fit, which does nothing where verify is off\n"), std::string::npos) << out;
   EXPECT_EQ(run("--print-params --without last_fit"), 2);

@@ -103,7 +103,7 @@ TEST_F(ParamsFiles, AreRefusedWhenTheyAreNotFlatYaml) {
   expectRefusal("samples: [1, 2\n", {"YAML"});
   expectRefusal("just text\n", {"parameter: value"});
   expectRefusal("- samples\n", {"parameter: value"});
-  expectRefusal("detector:\n  samples: 512\n", {"detector"});
+  expectRefusal("detector:\n  samples: 512\n", {"'detector' has names below it"});
   expectRefusal(std::string("a\0b", 3), {"binary"});
   EXPECT_THROW(loadParams(path("nothing.yaml")), std::invalid_argument);
   EXPECT_THROW(loadParams(path("")), std::invalid_argument);
