@@ -159,6 +159,7 @@ Json frameObject(const FrameReport& report) {
   json["samples"] = found.samples;
   json["seen_from_origin"] = found.seen_from_origin;
   json["processing_ms"] = report.processing_ms;
+  json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = primitivesJson(found);
   return json;
 }

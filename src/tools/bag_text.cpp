@@ -48,6 +48,7 @@ void BagSummary::add(const io::FrameReport& frame) {
   elsewhere_ += frame.detections.seen_from_origin ? 0 : 1;
   assumed_ += frame.origin_assumed ? 1 : 0;
   milliseconds_.push_back(frame.processing_ms);
+  refusals_ += frame.detections.refusals;
   const Counts counts = countsOf(frame.detections);
   for (std::size_t kind = 0; kind < counts.size(); ++kind) found_[kind] += counts[kind];
   for (const Detection& item : frame.detections.items) {
@@ -79,7 +80,7 @@ std::vector<std::string> BagSummary::notes() const {
   return notes;
 }
 
-std::string BagSummary::text(const std::string& topic) const {
+std::string BagSummary::text(const std::string& topic, const Params& params) const {
   std::string text = std::to_string(clouds_) + (clouds_ == 1 ? " cloud on " : " clouds on ") + topic + ", " +
                      std::to_string(searched_) + " searched.";
   if (searched_ == 0) return text + " The first: " + problem_ + "\n";
@@ -91,7 +92,9 @@ std::string BagSummary::text(const std::string& topic) const {
   }
   if (tracks_ > 0) text += "; " + std::to_string(tracks_) + (tracks_ == 1 ? " track" : " tracks");
   List<double> milliseconds(milliseconds_.begin(), milliseconds_.end());
-  return text + format("; median %.1f ms.\n", median(milliseconds));
+  text += format("; median %.1f ms.\n", median(milliseconds));
+  const std::string refused = io::refusalsText(refusals_, params);
+  return text + (refused.empty() ? "" : "Tried and refused, in all of them: " + refused + "\n");
 }
 
 }  // namespace primitect::tools

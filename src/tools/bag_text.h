@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/report.h"
+#include "primitect/params.h"
 
 namespace primitect::tools {
 
@@ -20,8 +21,9 @@ class BagSummary {
  public:
   void add(const io::FrameReport& frame);
 
-  /// "51 clouds on /camera/points, 51 searched. ..."; where none was, why.
-  std::string text(const std::string& topic) const;
+  /// "51 clouds on /camera/points, 51 searched. ..."; where none was, why. A second line counts what was refused, with
+  /// the parameters that may be the reason.
+  std::string text(const std::string& topic, const Params& params) const;
 
   /// What makes results doubtful, a line; empty: nothing does.
   std::string warning() const;
@@ -37,6 +39,7 @@ class BagSummary {
   std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
   double beyond_ = 0.0;                             ///< shares beyond max_depth, their sum
   std::size_t tracks_ = 0;                          ///< that began
+  Refusals refusals_;
   std::vector<double> milliseconds_;
 };
 

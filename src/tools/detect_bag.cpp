@@ -106,7 +106,7 @@ int run(const tools::DetectBagOptions& options) {
   }
   const primitect::ros_layer::BagOutcome outcome = primitect::ros_layer::detectInBags(options.job, use, draw);
   json.finish();
-  if (!json.toStdout()) std::cout << summary.text(outcome.topic);
+  if (!json.toStdout()) std::cout << summary.text(outcome.topic, options.job.params);
   if (!summary.warning().empty()) std::cerr << "detect_bag: " << summary.warning() << "\n";
   for (const std::string& note : summary.notes()) std::cerr << "detect_bag: note: " << note << "\n";
   if (outcome.unusable_transforms > 0) {

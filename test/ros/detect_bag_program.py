@@ -57,6 +57,14 @@ class DetectBag(unittest.TestCase):
         self.assertIn("field 'z' is missing", lines[2])
         self.assertRegex(lines[3], r"^3 clouds on /points, 2 searched\. In the mean 1\.0 planes, 1\.0 spheres, .*; 2 tracks; ")
 
+    def test_counts_what_was_refused(self):
+        done = self.run_program(self.bag, "--min_confidence", "1")
+        self.assertRegex(done.stdout.splitlines()[-1],
+                         r"^Tried and refused, in all of them: .*[1-9][0-9]* unlikely \(see min_confidence\)")
+        done = self.run_program(self.bag, "--min_confidence", "1", "--json", "-")
+        refused = [json.loads(line)["refused"]["unlikely"] for line in done.stdout.splitlines()]
+        self.assertTrue(refused[0] > 0 and refused[1] > 0 and refused[2] == 0, refused)
+
     def test_writes_json_a_line_for_each_cloud(self):
         done = self.run_program(self.bag, "--json", "-")
         frames = [json.loads(line) for line in done.stdout.splitlines()]
