@@ -47,9 +47,11 @@ def test_steps_are_those_that_the_program_tells_of_and_parameters():
     assert ablation.method_of(STEPS[0]) == "no-closer_samples=preset:default,closer_samples=0"
 
 
-def test_every_method_is_measured_on_every_cloud():
+def test_every_method_is_measured_on_every_cloud_and_those_that_are_timed_several_times():
     for experiment in ablation.experiments(STEPS, 20):
         assert len(set(experiment.seeds.values())) == 1 and len(experiment.seeds) == len(STEPS) + 1
+    again = [e.recipe.set for e in ablation.experiments(STEPS, 20) if e.repeat == ablation.MORE_REPEATS[-1]]
+    assert "tabletop" in again and "paper-mixed" in again and "household" not in again
     only = ablation.experiments(STEPS, 20, ["clutter"])
     assert [e.recipe for e in only] == [Recipe("clutter")] and only[0].seeds[ablation.WHOLE] == 40
 
@@ -100,6 +102,10 @@ def test_the_cost_is_the_middle_of_what_the_same_clouds_take_longer():
              for i, ms in enumerate(times)]
     row = row_of(made(lines)["found"], "upright")
     assert row["ms tables"].value == 2 and row_of(made(lines)["found"], "all steps")["ms tables"].value == 20
+    quicker = dict(line_of(UPRIGHT, recipe, seed=301, total_ms=10, **found(1)), repeat=ablation.MORE_REPEATS[0])
+    row = row_of(made(lines + [quicker])["found"], "upright")
+    assert row["ms tables"].value == 10, "the shortest of all runs counts"
+    assert row["tables P"].value is None, "but what is found is told of the first alone"
 
 
 def test_recorded_frames_are_told_over_all_draws():
