@@ -143,7 +143,13 @@ void Detector::Workspace::measureScale() {
   // Of a cylinder that lies across the short side of an image from so near that its radius is 1.5 times the diagonal 24
   // deg are in view: about as little as its curvature needs to be clear (curvature.cpp).
   constexpr double kOfView = 1.5;
-  const double view_radius = depth_camera && !told ? kOfView * view.diagonal : 0.0;
+  // A list may be one thing alone, which somebody has cut out: the radius of half a ball is a third of its diagonal,
+  // that of half a short tube more. What brings normals and lies around the origin was seen from all sides, and is all
+  // there.
+  constexpr double kOfList = 0.4;
+  const bool all_sides = brings_normals && !result.seen_from_origin;
+  const double most = depth_camera ? kOfView : all_sides ? 0.0 : kOfList;
+  const double view_radius = told ? 0.0 : most * view.diagonal;
   verification.begin({result.scene_diameter, depth_camera, result.image_noise, image_growth, stretch, view_radius,
                       !brings_normals, normal_source.from_origin});
 }

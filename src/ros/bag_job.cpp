@@ -47,7 +47,8 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
     if (recorded.cloud) sequence.pipeline().published();
     if (!first) first = recorded.recorded;
     const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;
-    const Detections detections = fromMessage(message);
+    Detections detections = fromMessage(message);
+    if (recorded.cloud) detections.refusals = sequence.pipeline().refusals();
     const io::FrameReport report = {recorded.recorded.toSec() - first->toSec(),
                                     message.header.stamp.sec,
                                     message.header.stamp.nsec,
