@@ -22,7 +22,7 @@ Cloud listOf(const std::function<Vec3(double, double)>& place) {
   cloud.reset(kCount, 1, false);
   for (std::uint32_t i = 0; i < kCount; ++i) {
     const double u = random.uniform(0.0, 1.0), v = random.uniform(0.0, 1.0);
-    const Vec3 noise(random.gaussian(), random.gaussian(), random.gaussian());
+    const Vec3 noise{random.gaussian(), random.gaussian(), random.gaussian()};
     const Eigen::Vector3f point = (place(u, v) + kNoise * noise).cast<float>();
     cloud.setPoint(i, point.x(), point.y(), point.z(), DepthRange());
   }
