@@ -97,15 +97,18 @@ def test_nothing_is_said_where_all_detections_are_the_same():
 
 def test_the_cost_is_the_middle_of_what_the_same_clouds_take_longer():
     recipe = Recipe("tabletop")
-    lines = [line_of(method, recipe, seed=300 + i, total_ms=ms, **found(9))
-             for method, times in ((ablation.WHOLE, (10, 20, 30)), (UPRIGHT, (9, 18, 5)))
+    lines = [line_of(method, recipe, seed=300 + i, total_ms=ms, **found(9, confidence=confidence))
+             for method, confidence, times in ((ablation.WHOLE, 0.9, (10, 20, 30)), (UPRIGHT, 0.8, (9, 18, 5)))
              for i, ms in enumerate(times)]
     row = row_of(made(lines)["found"], "upright")
     assert row["ms tables"].value == 2 and row_of(made(lines)["found"], "all steps")["ms tables"].value == 20
     quicker = dict(line_of(UPRIGHT, recipe, seed=301, total_ms=10, **found(1)), repeat=ablation.MORE_REPEATS[0])
     row = row_of(made(lines + [quicker])["found"], "upright")
     assert row["ms tables"].value == 10, "the shortest of all runs counts"
-    assert row["tables P"].value is None, "but what is found is told of the first alone"
+    assert row["tables P"].value == 0, "but what is found is told of the first alone"
+    same = [line_of(FACETS, recipe, seed=300 + i, total_ms=ms, **found(9)) for i, ms in enumerate((12, 22, 32))]
+    row = row_of(made(lines + same)["found"], "upright")
+    assert row["ms tables"].value == 3, "what a step does not change takes as long as all of them, and steadies it"
 
 
 def test_recorded_frames_are_told_over_all_draws():
