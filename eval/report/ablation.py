@@ -62,8 +62,7 @@ def method_of(step):
 
 def experiments(steps, clouds, only=None):
     """One experiment for each recipe, and more of those that are timed."""
-    methods = [method_of(step) for step in steps]
-    methods.insert(len(methods) // 2, WHOLE)  # times of all are taken about when its own are
+    methods = [WHOLE] + [method_of(step) for step in steps]
     wanted = [(group, recipe, dict.fromkeys(methods, max(1, round(share * clouds))))
               for group in GROUPS if not only or group.name in only for recipe, share in group.recipes.items()]
     return [Experiment("ablation", recipe, seeds, repeat) for repeat in (REPEAT, *MORE_REPEATS)

@@ -13,6 +13,13 @@ LINES = "lines.jsonl"
 BUILT = os.path.join(ROOT, "build", "devel", "lib", "primitect")  # where programs are unless told
 
 
+def count_from(text):
+    """A whole number above 0, for argparse."""
+    if int(text) < 1:
+        raise ValueError(text)
+    return int(text)
+
+
 def program(folder, name):
     """Path of a built program; ends with what builds it when it is not there."""
     path = os.path.join(folder, name)

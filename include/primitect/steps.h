@@ -47,4 +47,7 @@ class Steps {
   std::bitset<kCount> bits_;
 };
 
+/// In the order of steps.def.
+std::vector<std::string> namesOf(const Steps& steps);
+
 }  // namespace primitect

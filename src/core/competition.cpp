@@ -13,14 +13,10 @@
 #include "core/indistinct.h"
 #include "core/segmentation.h"
 #include "core/tapered.h"
+#include "core/wanted_kinds.h"
 
 namespace primitect {
 namespace {
-
-bool enabled(Kind kind, const Params& params) {
-  const bool switches[] = {params.detect_planes, params.detect_spheres, params.detect_cylinders, params.detect_cones};
-  return switches[static_cast<std::size_t>(kind)];
-}
 
 /// Where a fit begins.
 struct Start {
@@ -34,7 +30,7 @@ enum class Tried { all, promising, to_win };
 
 /// A cylinder helps to find cones, too (tapered.h).
 bool isFitted(Kind kind, const Params& params) {
-  return enabled(kind, params) || (kind == Kind::cylinder && enabled(Kind::cone, params));
+  return isWanted(kind, params) || (kind == Kind::cylinder && isWanted(Kind::cone, params));
 }
 
 /// Its own, a plane, and every curved kind on every side that is wanted.
@@ -169,7 +165,7 @@ class Fits {
     const double agreed = agreement(*shape, points_);
     if (kindOf(*shape) == Kind::cylinder) remember({*shape, start.concave}, agreed);
     const FittedSamples samples = {moments_, points_.meanSigma(), rules_.noise, rules_.fitted_normals};
-    if (!enabled(kindOf(*shape), rules_.limits.params)) return false;
+    if (!isWanted(kindOf(*shape), rules_.limits.params)) return false;
     if (const std::optional<Refusal> refusal = refusalOf(*shape, samples)) {
       ++refusals_[*refusal];
       return false;
@@ -203,7 +199,7 @@ class Fits {
 
   /// Cones may begin at a cylinder that is none itself.
   void remember(const Start& cylinder, double agreed) {
-    if (!enabled(Kind::cone, rules_.limits.params)) return;
+    if (!isWanted(Kind::cone, rules_.limits.params)) return;
     if (!(agreed > agreement_of_cylinder_)) return;
     best_cylinder_ = cylinder;
     agreement_of_cylinder_ = agreed;
@@ -233,7 +229,7 @@ std::optional<Refusal> Limits::brokenBy(const Shape& shape) const {
   return brokenLimit(shape, params);
 }
 
-bool Limits::hold(const Shape& shape) const { return enabled(kindOf(shape), params) && !brokenBy(shape); }
+bool Limits::hold(const Shape& shape) const { return isWanted(kindOf(shape), params) && !brokenBy(shape); }
 
 bool bestOfKinds(const Samples& samples, const HeldGains& held, const List<std::uint32_t>& set,
                  const ProposalRules& rules, Hypothesis& hypothesis, Refusals* refusals) {

@@ -29,4 +29,12 @@ Step stepOf(const std::string& name) {
   throw std::invalid_argument("unknown step '" + name + "'" + similarNameHint(name, names));
 }
 
+std::vector<std::string> namesOf(const Steps& steps) {
+  std::vector<std::string> names;
+  for (const StepInfo& row : stepTable()) {
+    if (steps.has(row.step)) names.push_back(row.name);
+  }
+  return names;
+}
+
 }  // namespace primitect

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "io/cut_away.h"
 #include "io/length_text.h"
 #include "io/outlines.h"
 #include "io/percent_text.h"
@@ -82,13 +83,9 @@ std::string countText(int count, Kind kind) {
 
 /// "nearer than 1.00 m or farther than 2.00 m", what of it there is.
 std::string notUsedText(const LabelledPoints& points) {
-  const auto any = [&points](auto&& isCut) { return std::any_of(points.cloud.z.begin(), points.cloud.z.end(), isCut); };
-  std::string text;
-  if (any([&](float z) { return 0.0f < z && z < points.used.min; }))
-    text = "nearer than " + lengthText(points.used.min);
-  if (any([&](float z) { return points.used.max > 0.0f && z > points.used.max; })) {
-    text += (text.empty() ? "" : " or ") + ("farther than " + lengthText(points.used.max));
-  }
+  const CutAway cut = cutAway(points.cloud, points.used);
+  std::string text = cut.nearer > 0 ? "nearer than " + lengthText(points.used.min) : "";
+  if (cut.farther > 0) text += (text.empty() ? "" : " or ") + ("farther than " + lengthText(points.used.max));
   return text;
 }
 

@@ -132,9 +132,8 @@ Json fileJson(const FileReport& report) {
   json["sensor"] = sensorJson(report);
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = primitivesJson(found);
-  for (const StepInfo& step : stepTable()) {
-    if (report.left_out.has(step.step)) json["without"].push_back(step.name);
-  }
+  const std::vector<std::string> without = namesOf(report.left_out);
+  if (!without.empty()) json["without"] = without;
   if (report.late) json["late"] = primitivesJson(*report.late);
   if (report.unlikely) json["unlikely"] = primitivesJson(*report.unlikely);
   if (report.few_inliers) json["few_inliers"] = primitivesJson(*report.few_inliers);

@@ -3,6 +3,7 @@
 // Questions about units, frames and intrinsics, and what to expect of noise.
 #include "tools/notes.h"
 
+#include "core/wanted_kinds.h"
 #include "io/depths_text.h"
 #include "io/share_beyond.h"
 #include "primitect/noisy_image.h"
@@ -110,24 +111,21 @@ std::string intrinsicsText(const io::PointFile& read) {
 /// What was switched off is not found, however well it is seen.
 std::string notLookedForText(const Params& params) {
   std::string what, by;
-  const auto add = [&](bool on, const char* shapes, const char* parameter) {
-    if (on) return;
-    what += std::string(what.empty() ? "" : ", ") + shapes;
-    by += std::string(by.empty() ? "" : ", ") + parameter;
+  const auto add = [&](const std::string& shapes, const std::string& parameter) {
+    what += (what.empty() ? "" : ", ") + shapes;
+    by += (by.empty() ? "" : ", ") + parameter;
   };
-  add(params.detect_planes, "planes", "detect_planes");
-  add(params.detect_spheres, "spheres", "detect_spheres");
-  add(params.detect_cylinders, "cylinders", "detect_cylinders");
-  add(params.detect_cones, "cones", "detect_cones");
-  add(params.convexity != "concave", "outsides of curved shapes", "convexity");
+  for (const Kind kind : {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone}) {
+    const std::string kinds = std::string(kindName(kind)) + "s";
+    if (!isWanted(kind, params)) add(kinds, "detect_" + kinds);
+  }
+  if (params.convexity == "concave") add("outsides of curved shapes", "convexity");
   return what.empty() ? "" : "  note: not looked for: " + what + " (" + by + ")\n";
 }
 
 std::string leftOutText(const Params& params) {
   std::string names;
-  for (const StepInfo& step : stepTable()) {
-    if (!params.does(step.step)) names += (names.empty() ? "" : ", ") + step.name;
-  }
+  for (const std::string& name : namesOf(params.left_out)) names += (names.empty() ? "" : ", ") + name;
   if (names.empty()) return "";
   return "  note: without " + names + (params.verify ? "" : ", which does nothing where verify is off") + "\n";
 }

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "core/wanted_kinds.h"
+#include "io/cut_away.h"
 #include "io/depths_text.h"
 #include "io/length_text.h"
 #include "io/percent_text.h"
@@ -119,14 +122,10 @@ std::string rangeText(const DepthRange& range) {
 
 /// How many measured points lie on the other side of which bound: " (98832 beyond max_depth 2 m)".
 std::string cutText(const Cloud& whole, const DepthRange& range) {
-  const auto count = [&whole](auto&& isCut) { return std::count_if(whole.z.begin(), whole.z.end(), isCut); };
-  const auto nearer = count([&](float z) { return 0.0f < z && z < range.min; });
-  const auto farther = count([&](float z) { return range.max > 0.0f && z > range.max; });
-  std::string text;
-  if (nearer > 0) text = format("%zu nearer than min_depth %.4g m", static_cast<std::size_t>(nearer), range.min);
-  if (farther > 0) {
-    text +=
-        format("%s%zu beyond max_depth %.4g m", text.empty() ? "" : ", ", static_cast<std::size_t>(farther), range.max);
+  const io::CutAway cut = io::cutAway(whole, range);
+  std::string text = cut.nearer > 0 ? format("%zu nearer than min_depth %.4g m", cut.nearer, range.min) : "";
+  if (cut.farther > 0) {
+    text += format("%s%zu beyond max_depth %.4g m", text.empty() ? "" : ", ", cut.farther, range.max);
   }
   return text.empty() ? "" : " (" + text + ")";
 }
@@ -138,7 +137,8 @@ std::string latencyText(const io::FileReport& report, const Params& params) {
 }
 
 bool anyKind(const Params& params) {
-  return params.detect_planes || params.detect_spheres || params.detect_cylinders || params.detect_cones;
+  const Kind kinds[] = {Kind::plane, Kind::sphere, Kind::cylinder, Kind::cone};
+  return std::any_of(std::begin(kinds), std::end(kinds), [&](Kind kind) { return isWanted(kind, params); });
 }
 
 /// Unlike the detector, this knows whether points were not measured or cut away, and whether anything was looked for.
