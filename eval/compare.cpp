@@ -143,6 +143,7 @@ void declareOptions(CLI::App& app, Options& options) {
                  "from one side of the cloud to the other this many times fewer points");
   app.add_option("--voxel", options.recipe.voxel,
                  "side in m of the cubes in which points are averaged, as by a voxel grid");
+  app.add_flag("--list", options.recipe.listed, "the measured points alone, in their order, unorganized");
   app.add_flag("--shuffle", options.recipe.shuffle, "points in random order, unorganized");
   app.add_flag("--robot-frame", options.recipe.robot_frame, "points in a frame on the floor below the sensor, z up");
   app.add_option("--method", options.methods,

@@ -153,6 +153,7 @@ LabelledCloud makeLabelledCloud(const Recipe& recipe) {
     if (result.from_sensor) excuseThinned(result);
   }
   if (recipe.voxel > 0.0) averageInVoxels(result.cloud, recipe.voxel);
+  if (recipe.listed) listPoints(result.cloud);
   if (recipe.shuffle) shufflePoints(result.cloud, recipe.seed);
   if (recipe.robot_frame) moveToRobotFrame(result);
   return result;

@@ -79,6 +79,7 @@ std::string describe(const Recipe& recipe) {
   add(recipe.keep != 1.0, "keep " + numberText(recipe.keep));
   add(recipe.uneven != 1.0, "uneven " + numberText(recipe.uneven));
   add(recipe.voxel != 0.0, "voxels " + numberText(recipe.voxel));
+  add(recipe.listed, "as a list");
   add(recipe.shuffle, "shuffled");
   add(recipe.robot_frame, "in a robot's frame");
   return text;

@@ -22,6 +22,7 @@ struct Recipe {
   double keep = 1.0;      ///< share of the points that is kept, drawn at random, (0, 1]
   double uneven = 1.0;    ///< from one side of the cloud to the other this many times fewer points, [1, 1000]
   double voxel = 0.0;     ///< m: a point for each cube of that side, the mean of those in it; 0: all points
+  bool listed = false;    ///< the measured points alone, in their order, unorganized
   bool shuffle = false;   ///< in random order, unorganized
   /// Points and truth in a frame on the floor below the sensor: x ahead, y to the left, z up, the sensor 1.3 m above
   /// the origin and turned 38 deg down.
@@ -31,7 +32,7 @@ struct Recipe {
 /// The set shows a room as a depth camera sees it.
 bool isDepthFrame(const std::string& set);
 
-/// Which of the values a set uses; every set knows keep, uneven, shuffle and robot_frame.
+/// Which of the values a set uses; every set knows keep, uneven, listed, shuffle and robot_frame.
 struct UsedBySet {
   bool sigma, depth_frame, outliers;
 };

@@ -118,6 +118,7 @@ std::string scoreLine(const LabelledCloud& input, const Method& method, const An
                {"keep", recipe.keep},
                {"uneven", recipe.uneven},
                {"voxel", recipe.voxel},
+               {"listed", recipe.listed},
                {"shuffle", recipe.shuffle},
                {"robot_frame", recipe.robot_frame},
                {"unit", input.unit},

@@ -30,6 +30,15 @@ void keepOnly(const std::vector<std::size_t>& kept, Cloud& cloud) {
   cloud.height = 1;
 }
 
+/// Indices of the points that are not missing.
+std::vector<std::size_t> measured(const Cloud& cloud) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.valid(i)) order.push_back(i);
+  }
+  return order;
+}
+
 /// Where each point is between one side of the cloud (0) and the other (1), along a horizontal direction.
 std::vector<double> placesAcross(const Cloud& cloud, double heading) {
   std::vector<double> places(cloud.size(), 0.0);
@@ -64,11 +73,10 @@ void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed) {
   cloud.countPoints();
 }
 
+void listPoints(Cloud& cloud) { keepOnly(measured(cloud), cloud); }
+
 void shufflePoints(Cloud& cloud, std::uint64_t seed) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.valid(i)) order.push_back(i);
-  }
+  std::vector<std::size_t> order = measured(cloud);
   Random random(seed ^ 0x73687566U);
   for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random.below(left)]);
   keepOnly(order, cloud);

@@ -15,6 +15,9 @@ namespace primitect::eval {
 /// direction across z that the seed chooses. Normals stay those of all points: what is looked at is the sampling.
 void thinOut(Cloud& cloud, double keep, double uneven, std::uint64_t seed);
 
+/// Without the missing ones and without rows, as most filters leave them.
+void listPoints(Cloud& cloud);
+
 /// Points in random order, without the missing ones and without rows.
 void shufflePoints(Cloud& cloud, std::uint64_t seed);
 

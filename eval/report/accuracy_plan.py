@@ -78,6 +78,7 @@ def variant_rows():
             ("mixed, %g times thinner at one side" % UNEVEN, Recipe("paper-mixed", uneven=UNEVEN), MIXED),
             ("mixed, both", Recipe("paper-mixed", uneven=UNEVEN, shuffle=True), MIXED),
             ("tables, shuffled", Recipe("tabletop", shuffle=True), TABLES),
+            ("tables as lists in a robot's frame", Recipe("tabletop", robot_frame=True, listed=True), TABLES),
             ("tables, %g times thinner at one side" % UNEVEN_FRAMES, Recipe("tabletop", uneven=UNEVEN_FRAMES), TABLES),
             ("tables, %g times thinner at one side" % UNEVEN, Recipe("tabletop", uneven=UNEVEN), TABLES)):
         yield Row(section, title, recipe, "all", like(other, 1.0))
@@ -85,13 +86,13 @@ def variant_rows():
 
 def list_rows():
     """What is told only: clouds as filters and other frames leave them, without rows and columns."""
-    section = "Lists: averaged by a voxel grid, or in a robot's frame and the camera's place not told"
+    section = "Lists: averaged by a voxel grid, or in a robot's frame and nothing tells the camera's place"
     for title, recipe in (("tables, voxels of 5 mm", Recipe("tabletop", voxel=0.005)),
                           ("tables, voxels of 10 mm", Recipe("tabletop", voxel=0.01)),
                           ("nothing but clutter, voxels of 5 mm", Recipe("clutter", voxel=0.005)),
-                          ("tables in a robot's frame", Recipe("tabletop", robot_frame=True, shuffle=True)),
+                          ("tables in a robot's frame, shuffled", Recipe("tabletop", robot_frame=True, shuffle=True)),
                           ("... with voxels of 5 mm", Recipe("tabletop", robot_frame=True, voxel=0.005)),
-                          ("nothing but clutter, in a robot's frame",
+                          ("nothing but clutter, in a robot's frame, shuffled",
                            Recipe("clutter", robot_frame=True, shuffle=True))):
         yield Row(section, title, recipe, "all", ())
 

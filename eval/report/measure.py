@@ -34,6 +34,8 @@ def command_of(program, call):
         command += ["--method", method]
     if recipe.voxel:
         command += ["--voxel", repr(recipe.voxel)]
+    if recipe.listed:
+        command.append("--list")
     if recipe.shuffle:
         command.append("--shuffle")
     if recipe.robot_frame:

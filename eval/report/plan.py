@@ -27,8 +27,9 @@ ABLATIONS = ("b", "c", "d", "e")
 
 # How a cloud is made, and within how many degrees a point's normal must agree with its shape when scoring.
 Recipe = namedtuple("Recipe", "set sigma noise_scale outliers keep angle uneven shuffle noise_grain sensor blots "
-                    "robot_frame voxel",
-                    defaults=(0.01, 1.0, 0.0, 1.0, USUAL_ANGLE, 1.0, False, 1, "structured_light", 0.0, False, 0.0))
+                    "robot_frame voxel listed",
+                    defaults=(0.01, 1.0, 0.0, 1.0, USUAL_ANGLE, 1.0, False, 1, "structured_light", 0.0, False, 0.0,
+                              False))
 # seeds: method text -> number of seeds, from FIRST_SEED on.
 Experiment = namedtuple("Experiment", "part recipe seeds repeat")
 Key = namedtuple("Key", "recipe seed method repeat")

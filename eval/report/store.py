@@ -10,7 +10,7 @@ from report.plan import Key, Recipe
 
 # Older lines do not have these.
 LATER = {"uneven": 1.0, "shuffle": False, "noise_grain": 1, "sensor": "structured_light", "blots": 0.0,
-         "robot_frame": False, "voxel": 0.0}
+         "robot_frame": False, "voxel": 0.0, "listed": False}
 
 
 class Mixed(Exception):

@@ -67,7 +67,7 @@ def normalised_error(lines, kind, part):
 
 def group_of(line):
     """Name of the group that a cloud belongs to: paper-like scenes, depth frames, and what is unlike these. Frames that
-    were shuffled have no rows any more, and with these the detector no longer sees whose pixels are next to each other;
+    were shuffled have no rows any more, nor those that are lists, and the detector makes an image of them again;
     nor do those that a voxel grid averaged, which err less than it expects; of those in another frame than the camera's
     it does not know how they were seen; in grains noise errs alike in neighbours, farther than covariances expect, and
     other sensors bend what they see."""
@@ -75,6 +75,8 @@ def group_of(line):
         return CUT_OUTS
     if line["set"] not in FRAMES:
         return SCENES
+    if line.get("listed"):
+        return SHUFFLED
     if line.get("robot_frame"):
         return MOVED
     if line.get("voxel", 0.0) > 0.0:

@@ -14,6 +14,8 @@
 #include "eval/case_score.h"
 #include "eval/depth_frames.h"
 #include "eval/methods.h"
+#include "eval/variants.h"
+#include "primitect/transforms.h"
 
 namespace data_sets_test {
 namespace {
@@ -155,6 +157,42 @@ TEST(Recipe, ShapesOfAFrameThatAreThinnedOutToLessThanARegionNeedNotBeFound) {
   }
   EXPECT_GT(excused, 0u);
   EXPECT_GT(asked, 0u);
+}
+
+TEST(Recipe, ListedHoldsTheMeasuredPointsInTheirOrder) {
+  for (const std::string set : {"paper-spheres", "tabletop"}) {
+    Recipe recipe = recipeOf(set);
+    const LabelledCloud image = makeLabelledCloud(recipe);
+    recipe.listed = true;
+    const LabelledCloud list = makeLabelledCloud(recipe);
+    EXPECT_FALSE(list.cloud.organized());
+    EXPECT_EQ(list.cloud.hasNormals(), image.cloud.hasNormals());
+    std::vector<float> before;
+    for (std::size_t i = 0; i < image.cloud.size(); ++i) {
+      if (image.cloud.valid(i)) before.push_back(image.cloud.z[i]);
+    }
+    EXPECT_EQ(list.cloud.z, before) << set;
+    EXPECT_EQ(list.cloud.valid_count, before.size()) << set;
+  }
+}
+
+/// As the node does, where the order of a list tells the camera: so much as of the image is found, and in its place.
+TEST(Recipe, ListedIsSearchedFromWhereItsOrderTells) {
+  Recipe recipe = recipeOf("tabletop");
+  recipe.listed = true;
+  const LabelledCloud of_camera = makeLabelledCloud(recipe);
+  recipe.robot_frame = true;
+  const LabelledCloud moved = makeLabelledCloud(recipe);
+  const Method method = makeMethod("default", 1);
+  const Answer expected = method.run(of_camera, 1), found = method.run(moved, 1);
+  ASSERT_GE(expected.shapes.size(), 3u);
+  ASSERT_EQ(found.shapes.size(), expected.shapes.size());
+  for (std::size_t k = 0; k < found.shapes.size(); ++k) {
+    const Shape shape = transformed(robotFromSensor(), expected.shapes[k]);
+    ASSERT_EQ(kindOf(found.shapes[k]), kindOf(shape)) << k;
+    const Vec3 origin = expected.detections[k].extent.origin, there = robotFromSensor() * origin;
+    EXPECT_NEAR(distance(found.shapes[k], there), distance(shape, there), 0.002) << k;
+  }
 }
 
 TEST(Recipe, ShuffledHoldsTheSamePointsInAnotherOrder) {

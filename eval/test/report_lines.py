@@ -15,7 +15,7 @@ def line(method="default", seed=1, **given):
     """One line of compare."""
     result = {"set": "paper-mixed", "seed": seed, "sigma": 0.01, "noise_scale": 1.0, "outliers": 0.0, "keep": 1.0,
               "uneven": 1.0, "shuffle": False, "noise_grain": 1, "sensor": "structured_light", "blots": 0.0,
-              "robot_frame": False, "voxel": 0.0, "false_curved": 0, "detections": [],
+              "robot_frame": False, "voxel": 0.0, "listed": False, "false_curved": 0, "detections": [],
               "unit": 0.01, "points": 160801, "method": method, "failure": "", "total_ms": 10.0, "vote_ms": -1.0,
               "prepare_ms": 0.0, "all": counts(), "errors": {kind: {} for kind in KINDS},
               "p_coverage": [1.0] * 26, "s_coverage": [1.0] * 26}

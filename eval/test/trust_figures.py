@@ -107,6 +107,7 @@ def test_frames_of_other_sensors_stand_apart():
 
 
 def test_frames_that_were_shuffled_stand_apart():
+    assert trust.group_of(line(set="tabletop", listed=True, robot_frame=True)) == "shuffled frames"
     lines = [line(set="tabletop", shuffle=shuffle, detections=[found(0.9, "right", total=[error, 4])])
              for shuffle, error in ((False, 4.0), (True, 40.0))]
     values = {name: trust.normalised_error(some, "sphere", "total") for name, some in trust.groups(lines).items()}

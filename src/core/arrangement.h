@@ -29,6 +29,9 @@ class Arrangement {
   /// Of the cloud, where it was found to be an image.
   const std::optional<ImageRays>& rays() const { return rays_; }
 
+  /// What is worked on is the image that was found for a list, but its pixels are not those of the camera.
+  bool isApproximate() const { return is_projected_ && !projected_.isExact(); }
+
   /// The image that the cloud was; null where it is worked on as anything else.
   const ProjectedImage* projected() const { return is_projected_ ? &projected_ : nullptr; }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/image_rays.h"
+#include "core/listed_image.h"
 
 namespace primitect {
 namespace {
@@ -19,16 +20,11 @@ using Projection = Eigen::Matrix<double, 3, 4>;
 
 constexpr std::size_t kFewest = 50;  // points
 
-struct Seen {
-  Vec3 point;             ///< m
-  Eigen::Vector2d pixel;  ///< column and row
-};
-
 /// Some hundred from all over the image, every so many columns and rows.
-std::vector<Seen> someOf(const Cloud& cloud) {
+std::vector<SeenPoint> someOf(const Cloud& cloud) {
   constexpr std::uint32_t kEnough = 1024;
   const auto step = std::max(1u, static_cast<std::uint32_t>(std::sqrt(cloud.valid_count / kEnough)));
-  std::vector<Seen> seen;
+  std::vector<SeenPoint> seen;
   for (std::uint32_t row = 0; row < cloud.height; row += step) {
     for (std::uint32_t column = 0; column < cloud.width; column += step) {
       const std::size_t i = std::size_t{row} * cloud.width + column;
@@ -41,11 +37,12 @@ std::vector<Seen> someOf(const Cloud& cloud) {
 
 /// Moves the mean to 0 and the mean square of each coordinate to 1: the equations are then about as large.
 template <int size, class Get>
-Eigen::Matrix<double, size + 1, size + 1> normalizing(const std::vector<Seen>& seen, const Get& get) {
+Eigen::Matrix<double, size + 1, size + 1> normalizing(const std::vector<SeenPoint>& seen, const Get& get) {
   Eigen::Matrix<double, size, 1> mean = Eigen::Matrix<double, size, 1>::Zero();
-  for (const Seen& each : seen) mean += get(each) / static_cast<double>(seen.size());
+  for (const SeenPoint& each : seen) mean += get(each) / static_cast<double>(seen.size());
   double square = 0.0;
-  for (const Seen& each : seen) square += (get(each) - mean).squaredNorm() / static_cast<double>(size * seen.size());
+  for (const SeenPoint& each : seen)
+    square += (get(each) - mean).squaredNorm() / static_cast<double>(size * seen.size());
   const double scale = square > 0.0 ? 1.0 / std::sqrt(square) : 1.0;
   Eigen::Matrix<double, size + 1, size + 1> transform = Eigen::Matrix<double, size + 1, size + 1>::Identity();
   transform.template topLeftCorner<size, size>() *= scale;
@@ -58,11 +55,11 @@ struct Fit {
   double unknown;         ///< what is left, as a share of what tells the next worst known direction
 };
 
-std::optional<Fit> fitTo(const std::vector<Seen>& seen) {
-  const auto of_pixels = normalizing<2>(seen, [](const Seen& each) { return each.pixel; });
-  const auto of_points = normalizing<3>(seen, [](const Seen& each) { return each.point; });
+std::optional<Fit> fitTo(const std::vector<SeenPoint>& seen) {
+  const auto of_pixels = normalizing<2>(seen, [](const SeenPoint& each) { return each.pixel; });
+  const auto of_points = normalizing<3>(seen, [](const SeenPoint& each) { return each.point; });
   Eigen::Matrix<double, 12, 12> sums = Eigen::Matrix<double, 12, 12>::Zero();
-  for (const Seen& each : seen) {
+  for (const SeenPoint& each : seen) {
     const Eigen::Vector4d point = of_points * each.point.homogeneous();
     const Eigen::Vector3d pixel = of_pixels * each.pixel.homogeneous();
     for (int k = 0; k < 2; ++k) {
@@ -81,21 +78,21 @@ std::optional<Fit> fitTo(const std::vector<Seen>& seen) {
 }
 
 /// How far a point is from where it would be seen (px); NaN where that is nowhere.
-double errorOf(const Projection& projection, const Seen& seen) {
+double errorOf(const Projection& projection, const SeenPoint& seen) {
   const Vec3 image = projection * seen.point.homogeneous();
   return (image.head<2>() / image.z() - seen.pixel).norm();
 }
 
 /// Those that a camera explains, and how far they are off.
 struct Explained {
-  std::vector<Seen> seen;
+  std::vector<SeenPoint> seen;
   double misfit = 0.0;  ///< px, root mean square
 };
 
-Explained explainedBy(const Projection& projection, const std::vector<Seen>& seen, double limit) {
+Explained explainedBy(const Projection& projection, const std::vector<SeenPoint>& seen, double limit) {
   Explained explained;
   double sum = 0.0;
-  for (const Seen& each : seen) {
+  for (const SeenPoint& each : seen) {
     const double error = errorOf(projection, each);
     if (!(error < limit)) continue;
     explained.seen.push_back(each);
@@ -106,9 +103,9 @@ Explained explainedBy(const Projection& projection, const std::vector<Seen>& see
 }
 
 /// Of more than half of them the error is no larger (px); those that are nowhere count as far off.
-double medianError(const Projection& projection, const std::vector<Seen>& seen) {
+double medianError(const Projection& projection, const std::vector<SeenPoint>& seen) {
   std::vector<double> errors;
-  for (const Seen& each : seen) {
+  for (const SeenPoint& each : seen) {
     const double error = errorOf(projection, each);
     errors.push_back(std::isfinite(error) ? error : std::numeric_limits<double>::max());
   }
@@ -132,10 +129,10 @@ void split(const Eigen::Matrix3d& m, Eigen::Matrix3d& k, Eigen::Matrix3d& r) {
 }
 
 /// Those that a fit to themselves explains about as well as most: strays turn the first ones.
-std::vector<Seen> withoutStrays(const std::vector<Seen>& seen) {
+std::vector<SeenPoint> withoutStrays(const std::vector<SeenPoint>& seen) {
   constexpr int kTimes = 5;
   constexpr double kFar = 4.0, kLeastFar = 0.1;  // times the median error; px
-  std::vector<Seen> trusted = seen;
+  std::vector<SeenPoint> trusted = seen;
   for (int time = 0; time < kTimes && trusted.size() >= kFewest; ++time) {
     const std::optional<Fit> fit = fitTo(trusted);
     if (!fit) return {};
@@ -147,66 +144,80 @@ std::vector<Seen> withoutStrays(const std::vector<Seen>& seen) {
   return trusted;
 }
 
-/// Pixels are square, and the axis of the lens is not far from the image, of which a part may have been cut off;
-/// k(2, 2) is 1.
-bool isOfACamera(const Eigen::Matrix3d& k, const Cloud& cloud) {
-  constexpr double kLongest = 4.5, kSkew = 0.02, kBeside = 0.5;  // of every four rows three may be missing
+/// Pixels are square; k(2, 2) is 1.
+bool hasPixelsOfACamera(const Eigen::Matrix3d& k) {
+  constexpr double kLongest = 4.5, kSkew = 0.02;  // of every four rows three may be missing
   const double longer = k(0, 0) / k(1, 1);
+  return longer < kLongest && longer > 1.0 / kLongest && std::abs(k(0, 1)) < kSkew * k(0, 0);
+}
+
+/// The axis of the lens is not far from the image, of which a part may have been cut off. Of a list nobody knows what
+/// was.
+bool isCentral(const Eigen::Matrix3d& k, const Cloud& cloud) {
+  constexpr double kBeside = 0.5;
   const auto central = [](double at, double size) { return -kBeside * size < at && at < (1.0 + kBeside) * size; };
-  return longer < kLongest && longer > 1.0 / kLongest && std::abs(k(0, 1)) < kSkew * k(0, 0) &&
-         central(k(0, 2), cloud.width) && central(k(1, 2), cloud.height);
+  return !cloud.organized() || (central(k(0, 2), cloud.width) && central(k(1, 2), cloud.height));
 }
 
 /// Points that lie not where the camera is: there are those that it writes as (0, 0, 0) where it measures nothing.
-std::ptrdiff_t countElsewhere(const Vec3& camera, const std::vector<Seen>& seen) {
+std::ptrdiff_t countElsewhere(const Vec3& camera, const std::vector<SeenPoint>& seen) {
   constexpr double kThere = 0.001;  // m
   return std::count_if(seen.begin(), seen.end(),
-                       [&camera](const Seen& each) { return (each.point - camera).norm() > kThere; });
-}
-
-/// Not at the origin, along z: a poor lens there shifts what is found by some millimetres.
-bool isElsewhere(const Eigen::Isometry3d& cloud_from_camera) {
-  constexpr double kShift = 0.003, kTurn = 0.003;  // m, rad
-  return cloud_from_camera.translation().norm() > kShift ||
-         Eigen::AngleAxisd(cloud_from_camera.linear()).angle() > kTurn;
+                       [&camera](const SeenPoint& each) { return (each.point - camera).norm() > kThere; });
 }
 
 }  // namespace
 
-bool isMovedImage(const Cloud& cloud) { return cloud.organized() && (cloud.liesBehind() || !findRays(cloud).known); }
+bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) {
+  constexpr double kShift = 0.003, kTurn = 0.003;  // m, rad
+  const Eigen::Matrix3d axes = cloud_from_camera.linear();
+  const double turn = cloud.organized() ? Eigen::AngleAxisd(axes).angle() : std::acos(std::min(1.0, axes(2, 2)));
+  return cloud_from_camera.translation().norm() <= kShift && turn <= kTurn;
+}
+
+Origin originOf(const Cloud& cloud) {
+  constexpr double kMost = 0.5;
+  if (cloud.organized()) {
+    return cloud.liesBehind() || !findRays(cloud).known ? Origin::elsewhere : Origin::camera;
+  }
+  if (const auto camera = findCamera(cloud)) return isAtOrigin(*camera, cloud) ? Origin::camera : Origin::elsewhere;
+  return cloud.valid_count < kMost * static_cast<double>(cloud.size()) ? Origin::elsewhere : Origin::unknown;
+}
 
 std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
-  constexpr double kLargestMisfit = 1.0 / 3.0;  // px
+  constexpr double kLargestMisfit = 1.0 / 3.0, kLargestOfLists = 0.1;  // px; of pixels found from an order .3 is chance
   // Noise leaves nothing beside what tells the next worst known direction; points exactly in a plane leave four unknown
   // ones.
   constexpr double kUnknown = 1e-3;
   constexpr double kNearlyAll = 0.9;
-  if (!cloud.organized() || cloud.valid_count < kFewest) return std::nullopt;
-  const std::vector<Seen> seen = someOf(cloud);
+  if (cloud.valid_count < kFewest) return std::nullopt;
+  const std::vector<SeenPoint> seen = cloud.organized() ? someOf(cloud) : findPixels(cloud);
   if (seen.size() < kFewest) return std::nullopt;
-  const std::vector<Seen> trusted = withoutStrays(seen);
+  const std::vector<SeenPoint> trusted = withoutStrays(seen);
   if (trusted.size() < kFewest) return std::nullopt;
   const std::optional<Fit> fit = fitTo(trusted);
   if (!fit || !(fit->unknown < kUnknown)) return std::nullopt;
   const Projection& found = fit->projection;
+  const double largest_misfit = cloud.organized() ? kLargestMisfit : kLargestOfLists;
   const Explained explained = explainedBy(found, trusted, std::numeric_limits<double>::infinity());
-  if (explained.seen.empty() || !(explained.misfit < kLargestMisfit)) return std::nullopt;
+  if (explained.seen.empty() || !(explained.misfit < largest_misfit)) return std::nullopt;
   // What it saw lies before the camera.
-  const auto depthOf = [&found](const Seen& each) { return (found * each.point.homogeneous()).z(); };
+  const auto depthOf = [&found](const SeenPoint& each) { return (found * each.point.homogeneous()).z(); };
   const double side = depthOf(explained.seen.front()) < 0.0 ? -1.0 : 1.0;
-  const auto behind = [&](const Seen& each) { return !(side * depthOf(each) > 0.0); };
+  const auto behind = [&](const SeenPoint& each) { return !(side * depthOf(each) > 0.0); };
   if (std::any_of(explained.seen.begin(), explained.seen.end(), behind)) return std::nullopt;
   const Projection projection = side * found;
   const Eigen::Matrix3d turned = projection.leftCols<3>();
   Eigen::Matrix3d k, r;
   split(turned, k, r);
-  if (!(r.determinant() > 0.0) || !isOfACamera(k / k(2, 2), cloud)) return std::nullopt;  // NaN, or a mirrored image
+  k /= k(2, 2);
+  if (!(r.determinant() > 0.0) || !hasPixelsOfACamera(k) || !isCentral(k, cloud)) return std::nullopt;  // NaN, mirrored
   Eigen::Isometry3d cloud_from_camera = Eigen::Isometry3d::Identity();
   cloud_from_camera.translation() = -turned.inverse() * projection.col(3);
   cloud_from_camera.linear() = r.transpose();
   const double most = kNearlyAll * static_cast<double>(countElsewhere(cloud_from_camera.translation(), seen));
   if (static_cast<double>(trusted.size()) < most) return std::nullopt;
-  return isElsewhere(cloud_from_camera) ? std::optional(cloud_from_camera) : std::nullopt;
+  return cloud_from_camera;
 }
 
 }  // namespace primitect

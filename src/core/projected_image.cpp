@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/lattice.h"
 #include "core/pixel_ring.h"
 #include "core/random.h"
 
@@ -18,36 +19,7 @@ constexpr double kAside = 0.002;
 /// More than this are no strays: the points were not seen from the origin.
 constexpr double kSurelyAside = 0.05;
 
-/// Bounds of x/z and y/z of the points that a camera can see.
-struct View {
-  float left, right, top, bottom;
-  std::size_t points;  ///< how many these are
-};
-
-View viewOf(const Cloud& cloud) {
-  constexpr float kWidest = 2.0f;  // tangent: beyond it no camera sees
-  constexpr std::size_t kAtOnce = 8;
-  const float *const x = cloud.x.data(), *const y = cloud.y.data(), *const z = cloud.z.data();
-  float left[kAtOnce], right[kAtOnce], top[kAtOnce], bottom[kAtOnce];
-  std::uint32_t seen[kAtOnce] = {};
-  for (std::size_t lane = 0; lane < kAtOnce; ++lane) left[lane] = top[lane] = 1e9f, right[lane] = bottom[lane] = -1e9f;
-  const auto look = [&](std::size_t i, std::size_t lane) {
-    const float u = x[i] / z[i], v = y[i] / z[i];
-    // Missing points are NaN, of which no comparison holds.
-    const bool in = (z[i] > 0.0f) & (-kWidest < u) & (u < kWidest) & (-kWidest < v) & (v < kWidest);
-    left[lane] = (in & (u < left[lane])) ? u : left[lane], right[lane] = (in & (u > right[lane])) ? u : right[lane];
-    top[lane] = (in & (v < top[lane])) ? v : top[lane], bottom[lane] = (in & (v > bottom[lane])) ? v : bottom[lane];
-    seen[lane] += in ? 1u : 0u;
-  };
-  std::size_t i = 0;
-  for (; i + kAtOnce <= cloud.size(); i += kAtOnce) {
-    for (std::size_t lane = 0; lane < kAtOnce; ++lane) look(i + lane, lane);
-  }
-  for (; i < cloud.size(); ++i) look(i, 0);
-  return {*std::min_element(left, left + kAtOnce), *std::max_element(right, right + kAtOnce),
-          *std::min_element(top, top + kAtOnce), *std::max_element(bottom, bottom + kAtOnce),
-          std::accumulate(seen, seen + kAtOnce, std::size_t{0})};
-}
+using View = kernels::ViewBounds;
 
 /// How many of the pixels up to two steps around this one there are, and how many of these are measured.
 struct Surroundings {
@@ -80,19 +52,34 @@ void narrow(List<float>& values, float& first, float& last) {
   first = std::max(first, low - margin), last = std::min(last, high + margin);
 }
 
-/// Leaves a few points far aside out of the view: two of them would make the image as large as they like.
-void leaveOutStrays(const Cloud& cloud, View& view) {
-  constexpr int kLookedAt = 4096;
-  constexpr std::size_t kFewest = 512;
-  Random random(1);
-  List<float> u, v;
-  for (int k = 0; k < kLookedAt; ++k) {
-    const std::size_t i = random.below(cloud.size());
-    if (!(cloud.z[i] > 0.0f)) continue;  // NaN, a missing point, neither
-    u.push_back(cloud.x[i] / cloud.z[i]);
-    v.push_back(cloud.y[i] / cloud.z[i]);
+/// Of some of the points that a camera can see.
+struct SomeRays {
+  List<double> u, v;
+
+  SomeRays(const List<float>& of_u, const List<float>& of_v) {
+    constexpr int kLookedAt = 4096;
+    Random random(1);
+    for (int k = 0; k < kLookedAt; ++k) {
+      const std::size_t i = random.below(of_u.size());
+      if (std::isnan(of_u[i])) continue;
+      u.push_back(of_u[i]);
+      v.push_back(of_v[i]);
+    }
   }
-  if (u.size() < kFewest) return;
+  bool areEnough() const {
+    constexpr std::size_t kFewest = 512;
+    return u.size() >= kFewest;
+  }
+  std::optional<Lattice> latticeOf(const List<double>& rays) const {
+    constexpr std::ptrdiff_t kOfThem = 1024;
+    if (!areEnough()) return std::nullopt;
+    return findLattice(List<double>(rays.begin(), rays.begin() + std::min(kOfThem, std::ptrdiff_t(rays.size()))));
+  }
+};
+
+/// Leaves a few points far aside out of the view: two of them would make the image as large as they like.
+void leaveOutStrays(const SomeRays& rays, View& view) {
+  List<float> u(rays.u.begin(), rays.u.end()), v(rays.v.begin(), rays.v.end());
   narrow(u, view.left, view.right);
   narrow(v, view.top, view.bottom);
 }
@@ -118,18 +105,19 @@ bool isSparse(const Cloud& image) {
   return static_cast<double>(seen.measured) < kDense * static_cast<double>(seen.all);
 }
 
-void ProjectedImage::project(const Cloud& cloud, float left, float top, float pitch) {
+void ProjectedImage::project(const Cloud& cloud, const Grid& grid) {
   // Times the depth: of two points this near each other either stays. The nearer one would be the one that noise
   // moved towards the sensor.
   constexpr float kSameSurface = 1.02f;
-  const auto columns = static_cast<float>(image_.width), rows = static_cast<float>(image_.height);
-  pixel_.assign(cloud.size(), kNoPixel);
+  image_.reset(static_cast<std::uint32_t>(grid.columns), static_cast<std::uint32_t>(grid.rows), false);
+  pixel_.resize(cloud.size());
+  const kernels::PixelGrid pixels = {static_cast<float>(grid.left),           static_cast<float>(grid.top),
+                                     static_cast<float>(1.0 / grid.width),    static_cast<float>(1.0 / grid.height),
+                                     static_cast<std::int32_t>(grid.columns), static_cast<std::int32_t>(grid.rows)};
+  kernels::loops().pixelsAt(pixels, u_.data(), v_.data(), cloud.size(), pixel_.data());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const float column = (cloud.x[i] / cloud.z[i] - left) / pitch, row = (cloud.y[i] / cloud.z[i] - top) / pitch;
-    const bool inside = 0.0f <= column && column < columns && 0.0f <= row && row < rows;
-    if (!inside || !(cloud.z[i] > 0.0f)) continue;  // NaN, a missing point, neither
-    const std::uint32_t pixel = static_cast<std::uint32_t>(row) * image_.width + static_cast<std::uint32_t>(column);
-    pixel_[i] = pixel;
+    const std::uint32_t pixel = pixel_[i];
+    if (pixel == kNoPixel) continue;
     const float there = image_.z[pixel];
     const bool behind = cloud.z[i] > kSameSurface * there, beside = there <= kSameSurface * cloud.z[i];
     if (behind || (beside && firstStays(pixel))) continue;  // NaN, an empty pixel, holds for neither
@@ -167,26 +155,63 @@ bool ProjectedImage::hidesMany(const Cloud& cloud, float pitch) const {
   return static_cast<double>(hidden) > expected + 3.0 * std::sqrt(expected);
 }
 
+/// The pixels of the camera that are in view.
+ProjectedImage::Grid ProjectedImage::gridOn(const Lattice& across, const Lattice& down, const View& view) {
+  const auto first = [](const Lattice& lattice, float at) { return std::round(lattice.place(at)); };
+  const double left = first(across, view.left), top = first(down, view.top);
+  const auto edge = [](const Lattice& lattice, double place) {
+    return lattice.offset + lattice.spacing * (place - 0.5);
+  };
+  return {edge(across, left),
+          edge(down, top),
+          across.spacing,
+          down.spacing,
+          first(across, view.right) - left + 1.0,
+          first(down, view.bottom) - top + 1.0};
+}
+
+/// Each pixel holds one point, if any: points that only seem to lie on a lattice share some, or lie far apart.
+bool ProjectedImage::makeExact(const Cloud& cloud, const Grid& grid) {
+  constexpr double kNearlyAll = 0.98, kLongest = 4.5;  // as of an image that lost three of four rows
+  const double longer = grid.height / grid.width;
+  if (longer > kLongest || longer < 1.0 / kLongest) return false;
+  project(cloud, grid);
+  return image_.valid_count >= kNearlyAll * cloud.valid_count && !isSparse(image_);
+}
+
 bool ProjectedImage::make(const Cloud& cloud) {
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
   constexpr int kTimes = 5;
-  seen_from_origin_ = true;
+  constexpr float kWidest = 2.0f;  // tangent: beyond it no camera sees
+  seen_from_origin_ = true, exact_ = false;
   if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
-  View view = viewOf(cloud);
-  seen_from_origin_ = static_cast<double>(view.points) >= (1.0 - kSurelyAside) * cloud.valid_count;
-  if (static_cast<double>(view.points) < (1.0 - kAside) * cloud.valid_count) return false;
-  leaveOutStrays(cloud, view);
+  u_.resize(cloud.size()), v_.resize(cloud.size());
+  View view = kernels::loops().tangents(cloud.x.data(), cloud.y.data(), cloud.z.data(), cloud.size(), kWidest,
+                                        u_.data(), v_.data());
+  seen_from_origin_ = static_cast<double>(view.seen) >= (1.0 - kSurelyAside) * cloud.valid_count;
+  if (static_cast<double>(view.seen) < (1.0 - kAside) * cloud.valid_count) return false;
+  const SomeRays some(u_, v_);
+  if (some.areEnough()) leaveOutStrays(some, view);
   const float width = view.right - view.left, height = view.bottom - view.top;
   if (!(width > 0.0f && height > 0.0f)) return false;
   const double points = cloud.valid_count, most_pixels = std::max(8.0 * points, 1048576.0);
+  const auto isReasonable = [&](const Grid& grid) {
+    // Points along a line fill no image.
+    return grid.columns * grid.rows < most_pixels && grid.columns < points && grid.rows < points;
+  };
+  const auto across = some.latticeOf(some.u), down = some.latticeOf(some.v);
+  if (across && down) {
+    const Grid grid = gridOn(*across, *down, view);
+    exact_ = isReasonable(grid) && makeExact(cloud, grid);
+    if (exact_) return true;
+  }
   double rays = points, before = 0.0, pixel_size = width * height / rays;
   for (int time = 0; time < kTimes; ++time) {
     const auto pitch = static_cast<float>(std::sqrt(pixel_size));
-    const double columns = std::floor(width / pitch) + 1.0, rows = std::floor(height / pitch) + 1.0;
-    // Points along a line fill no image.
-    if (!(columns * rows < most_pixels && columns < points && rows < points)) return false;
-    image_.reset(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), false);
-    project(cloud, view.left, view.top, pitch);
+    const Grid grid = {
+        view.left, view.top, pitch, pitch, std::floor(width / pitch) + 1.0, std::floor(height / pitch) + 1.0};
+    if (!isReasonable(grid)) return false;
+    project(cloud, grid);
     const double held = image_.valid_count;
     // Rows far apart, as of a laser scanner, leave the windows of such an image empty.
     if (held >= kLeastKept * rays) {

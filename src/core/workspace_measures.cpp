@@ -142,7 +142,7 @@ std::uint32_t Detector::Workspace::addPart(const Shape& shape, std::size_t of) {
 List<std::size_t> Detector::Workspace::countPoints(const List<LabelRun>& runs) const {
   const std::size_t most = result.items.size();
   List<std::size_t> all(most, 0);
-  if (arrangement.projected()) {  // a pixel may hold several points of the cloud
+  if (arrangement.isApproximate()) {  // a pixel may hold several points of the cloud
     all = arrangement.projected()->pointsOfLabels(labels, most);
   } else {
     for (const LabelRun& run : runs) {
@@ -223,7 +223,8 @@ void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const 
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
-  // Pixels of a projected image are not where a camera's were.
+  // Where the border of the image was a list does not tell, and pixels of one that is only like the camera's are not
+  // where its were.
   const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
   findPoints(whole, rays);
   const Cloud& cloud = thinned.cloud();
@@ -284,7 +285,7 @@ List<std::size_t> Detector::Workspace::mostPoints() const {
 /// many are found, and .3, 1.1 and 2.5 % more of that is right.
 std::size_t Detector::Workspace::fewestPoints(Kind kind, const Cloud& cloud) {
   constexpr double kOfCurved = 2.0 / 3.0;
-  const bool curved = kind != Kind::plane, in_image = depth_camera && !arrangement.projected();
+  const bool curved = kind != Kind::plane, in_image = depth_camera && !arrangement.isApproximate();
   // Of the points that as many samples stand for on average.
   const double least_share = curved ? 0.05 : in_image ? 0.3 : 0.15;
   // Without all of the closer look each of the few samples stands for no more than it would with it.

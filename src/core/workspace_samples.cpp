@@ -68,7 +68,7 @@ double Detector::Workspace::shareOfSamples() const {
 /// every second row, 1 % less is found on shuffled tables and on such that are thinner at one side.
 Labeling::Rows Detector::Workspace::rowsFor(const Cloud& cloud) {
   constexpr double kFewestPixels = 12.0;  // a sample every third row and more
-  const bool far_apart = !arrangement.projected() && pixelsOfSample(cloud) >= kFewestPixels;
+  const bool far_apart = !arrangement.isApproximate() && pixelsOfSample(cloud) >= kFewestPixels;
   // Runs that follow each other have no rows: half of them would be stripes of columns in many images.
   const bool rows = labeling.someRuns().layout.inImage();
   return far_apart && rows ? Labeling::Rows::every_second : Labeling::Rows::all;

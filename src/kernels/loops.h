@@ -178,6 +178,19 @@ struct MeasuredPoints {
   std::uint32_t count, behind;
 };
 
+/// Of the points that a sensor may have seen, and how many these are; infinite the wrong way round where none is.
+struct ViewBounds {
+  float left, right, top, bottom;  ///< tangents
+  std::size_t seen;
+};
+
+/// Pixels over x/z and y/z.
+struct PixelGrid {
+  float left, top, per_width, per_height;  ///< tangents: where the first one begins; 1 over how large they are
+  std::int32_t columns, rows;              ///< less than 2^31 pixels
+};
+constexpr std::uint32_t kNoPixel = 0xffffffffu;
+
 /// A cube of 2^kCellBits cells along each edge.
 constexpr int kCellBits = 10;
 struct CellCube {
@@ -270,6 +283,13 @@ struct Loops {
   /// Makes NaN of points that are (0, 0, 0), not finite or out of bounds, -NaN of the z of those beyond max_z; counts
   /// the others.
   MeasuredPoints (*dropUnmeasured)(const PointBounds& bounds, float* x, float* y, float* z, std::size_t count);
+
+  /// u = x/z and v = y/z of the points in front of the sensor, no farther aside than `widest`; NaN of all others.
+  ViewBounds (*tangents)(const float* x, const float* y, const float* z, std::size_t count, float widest, float* u,
+                         float* v);
+
+  /// Row by row; kNoPixel of what lies in none.
+  void (*pixelsAt)(const PixelGrid& grid, const float* u, const float* v, std::size_t count, std::uint32_t* pixel);
 };
 
 /// For the machine that runs this.

@@ -184,9 +184,12 @@ void DetectorNodelet::tellFoundCamera() {
                                   << "what tf makes of them, as in target_frame, is turned");
   }
   const Eigen::Vector3d position = camera.translation();
-  NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are images that were moved to frame '"
-                                << frame << "': searched from where their rows and columns tell that "
-                                << "the camera was, at (" << std::fixed << std::setprecision(3) << position.transpose()
+  const bool by_order = pipeline().isFoundByOrder();
+  NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are "
+                                << (by_order ? "lists of the points of images" : "images")
+                                << " that were moved to frame '" << frame << "': searched from where their "
+                                << (by_order ? "order tells" : "rows and columns tell") << " that the camera was, at ("
+                                << std::fixed << std::setprecision(3) << position.transpose()
                                 << ") m; sensor_frame would say it");
 }
 

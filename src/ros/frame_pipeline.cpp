@@ -82,11 +82,17 @@ void FramePipeline::published() {
 
 /// Leaves the cloud before its camera, cut, where it is an image that was moved.
 void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
-  if (!isMovedImage(cloud_)) return;
+  const Origin origin = originOf(cloud_);
+  origin_is_camera_ = origin == Origin::camera;
+  if (origin != Origin::elsewhere) return;
   const DepthRange range = depthRangeOf(params());
   // What was cut off was so along the wrong axis; that it can be read is known.
   readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_);
   cloud_from_found_camera_ = findCamera(cloud_);
+  if (cloud_from_found_camera_ && isAtOrigin(*cloud_from_found_camera_, cloud_)) {
+    cloud_from_found_camera_.reset();
+    origin_is_camera_ = true;
+  }
   if (cloud_from_found_camera_) {
     cloud_.move(cloud_from_found_camera_->inverse(), range);
   } else {
@@ -104,6 +110,7 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   has_cloud_ = problem_.empty();
   sensor_from_cloud_ = sensor_from_cloud;
   cloud_from_found_camera_.reset();
+  origin_is_camera_ = false;
   const bool from_image = !sensor_from_cloud && place == CameraPlace::from_image;
   if (has_cloud_ && from_image) lookForCamera(message, with_labels);
   if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
@@ -148,7 +155,7 @@ std::optional<bool> FramePipeline::seenFromOrigin() const {
 double FramePipeline::shareBeyond() const { return has_cloud_ ? io::shareBeyond(cloud_) : 0.0; }
 
 bool FramePipeline::isListFromOrigin() const {
-  return seenFromOrigin() == true && !cloud_.organized() && !cloud_from_found_camera_;
+  return seenFromOrigin() == true && !cloud_.organized() && !cloud_from_found_camera_ && !origin_is_camera_;
 }
 
 std::string FramePipeline::problemOf(const Detections& detections) const {

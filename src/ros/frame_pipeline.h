@@ -37,10 +37,9 @@ class FramePipeline {
   const Params& params() const { return detector_.params(); }
 
   /// Reads the cloud, moves it to the sensor where it comes in another frame, and detects: primitives are in the frame
-  /// of the sensor. An image that somebody moved is searched from where its camera was (moved_image.h), where nobody
-  /// says; primitives are in the frame of the cloud then. When the status is not OK, problem() says why.
-  /// processing_time is left 0.
-  /// With max_latency, times().begin() is when the frame came.
+  /// of the sensor. An image that somebody moved, or a list of its points, is searched from where its camera was
+  /// (moved_image.h), where nobody says; primitives are in the frame of the cloud then. When the status is not OK,
+  /// problem() says why. processing_time is left 0. With max_latency, times().begin() is when the frame came.
   /// with_labels: labels() will be asked for. Else large images are read no finer than they are worked on.
   /// The result may be changed; it is valid until the next call.
   PrimitiveArray& process(const sensor_msgs::PointCloud2& message, bool with_labels = false,
@@ -68,8 +67,12 @@ class FramePipeline {
   /// The last cloud could be read.
   bool hasCloud() const { return has_cloud_; }
 
-  /// Of the last cloud, where its own rows and columns told it; in its frame.
+  /// Of the last cloud, where its own rows and columns, or the order of a list, told that it is elsewhere; in its
+  /// frame.
   const std::optional<Eigen::Isometry3d>& foundCamera() const { return cloud_from_found_camera_; }
+
+  /// The order of a list told it.
+  bool isFoundByOrder() const { return cloud_from_found_camera_ && !cloud_.organized(); }
 
   /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.
   std::optional<bool> seenFromOrigin() const;
@@ -77,8 +80,8 @@ class FramePipeline {
   /// Of what the last cloud measured, the share beyond max_depth; 0 of none.
   double shareBeyond() const;
 
-  /// True: a list of points, which was searched as if a sensor at the origin had seen it. Also of one with normals: by
-  /// default they are turned towards the origin.
+  /// True: a list of points, which was searched as if a sensor at the origin had seen it; they do not tell. Also of one
+  /// with normals: by default they are turned towards the origin.
   bool isListFromOrigin() const;
 
   /// True: most of its normals, kept as they came, are turned away from a sensor at the origin.
@@ -121,7 +124,8 @@ class FramePipeline {
   Cloud cloud_;
   std::optional<Eigen::Isometry3d> sensor_from_cloud_;  ///< as it was told, of the last cloud
   std::optional<Eigen::Isometry3d> cloud_from_found_camera_;
-  Detections in_frame_of_cloud_;  ///< with a found camera
+  bool origin_is_camera_ = false;  // the points tell it
+  Detections in_frame_of_cloud_;   ///< with a found camera
   bool has_cloud_ = false;
   Status status_ = Status::ok;  ///< of the last cloud
   Refusals refusals_;

@@ -17,11 +17,16 @@ void moveToSensor(const io::SensorPose& sensor, DetectInput& input) {
   input.cloud.move(sensor_from_points, input.range);
 }
 
-/// What a node does with an image that was moved to another frame.
+/// What a node does with an image, or a list of its points, that was moved to another frame.
 void moveToFoundCamera(DetectInput& input) {
-  if (!isMovedImage(input.cloud)) return;
+  input.origin = originOf(input.cloud);
+  if (input.origin != Origin::elsewhere) return;
   const auto points_from_camera = findCamera(input.file.cloud);
   if (!points_from_camera) return;
+  if (isAtOrigin(*points_from_camera, input.file.cloud)) {
+    input.origin = Origin::camera;
+    return;
+  }
   input.sensor = io::SensorPose{points_from_camera->translation(), Eigen::Quaterniond(points_from_camera->linear())};
   input.found_sensor = true;
   moveToSensor(*input.sensor, input);

@@ -39,9 +39,11 @@ std::string sensorAdvice(const io::PointFile& file) {
 
 std::string foundSensorText(const DetectInput& input) {
   if (!input.found_sensor) return "";
-  return "  note: the points are an image that was moved to another frame; its rows and columns tell where the camera "
-         "was: --sensor \"" +
-         io::sensorPoseText(*input.sensor) + "\" is used\n";
+  const std::string what = input.cloud.organized()
+                               ? "an image that was moved to another frame; its rows and columns tell"
+                               : "a list that was moved to another frame; their order tells";
+  return "  note: the points are " + what + " where the camera was: --sensor \"" + io::sensorPoseText(*input.sensor) +
+         "\" is used\n";
 }
 
 /// Clouds of robots and maps have their table or floor through the origin.
@@ -72,11 +74,11 @@ std::string beyondText(const DetectInput& input) {
       100.0 * share, input.range.max);
 }
 
-/// Of points in no order nothing tells where the sensor was; images in other frames do. Normals of a file stay as they
-/// are.
+/// Of points in no order nothing tells where the sensor was; images, and lists in their order, do. Normals of a file
+/// stay as they are.
 std::string assumedOriginText(const Detections& found, const DetectInput& input) {
   const bool assumed = found.seen_from_origin && !input.sensor && !input.seen().liesBehind();
-  if (!assumed || input.cloud.organized() || input.cloud.hasNormals()) return "";
+  if (!assumed || input.cloud.organized() || input.cloud.hasNormals() || input.origin == Origin::camera) return "";
   return "  note: a list of points without normals is taken for seen from its origin along z; --sensor says where else "
          "the camera was\n";
 }

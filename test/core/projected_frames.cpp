@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/image_rays.h"
 #include "core/projected_image.h"
 #include "primitect/detector.h"
 #include "test/support/ball_and_wall.h"
@@ -71,6 +72,34 @@ TEST(ProjectedFrame, IsWorkedOnLikeTheImageThatItWas) {
   EXPECT_NEAR(found.items[ball].inlier_count, kScene.onBall(image), 0.05 * kScene.onBall(image));
   EXPECT_EQ(found.items[ball].truncated, kTruncationUnknown) << "its pixels are not where the camera had them";
   expectCountsAreThoseOfLabels(detector, cloud);
+}
+
+TEST(ProjectedFrame, HasThePixelsOfTheCameraWhereItsPointsLieOnItsRays) {
+  const Cloud image = kScene.image(1), cloud = unorganized(pointsOf(image));
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(cloud));
+  EXPECT_TRUE(projected.isExact());
+  EXPECT_EQ(projected.image().valid_count, cloud.valid_count) << "each has a pixel of its own";
+  const ImageRays rays = findRays(projected.image()), of_camera = findRays(image);
+  ASSERT_TRUE(rays.known);
+  EXPECT_LT(rays.misfit, 0.01);
+  EXPECT_NEAR(rays.x_scale, of_camera.x_scale, 1e-4 * of_camera.x_scale);
+  EXPECT_NEAR(rays.y_scale, of_camera.y_scale, 1e-4 * of_camera.y_scale);
+}
+
+TEST(ProjectedFrame, HasPixelsOfItsOwnWhereThePointsLieBesideTheRays) {
+  Random random(2);
+  const double beside = 0.3 * findRays(kScene.image(1)).x_scale;  // a third of a pixel
+  std::vector<Eigen::Vector3f> points = pointsOf(kScene.image(1));
+  for (Eigen::Vector3f& point : points) {
+    const double aside = beside * point.z();
+    const Eigen::Vector3f moved = {static_cast<float>(aside * random.gaussian()),
+                                   static_cast<float>(aside * random.gaussian()), 0.0f};
+    point += moved;
+  }
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(unorganized(points)));
+  EXPECT_FALSE(projected.isExact());
 }
 
 TEST(ProjectedFrame, CountsNoMissingPoint) {

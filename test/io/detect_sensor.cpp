@@ -28,14 +28,16 @@ std::string poseText() {
 
 constexpr const char* kNoViewpoint = "0 0 0 1 0 0 0";
 
-/// The points of the image in another frame, as a PCD; flat: of a wall, which tells no camera from another.
+/// The points of the image in another frame, as a PCD; flat: of a wall, which tells no camera from another; as_list:
+/// without columns and rows.
 std::string ballPcd(const Eigen::Isometry3d& frame_from_camera, const std::string& viewpoint = kNoViewpoint,
-                    bool flat = false) {
+                    bool flat = false, bool as_list = false) {
   const cv::Mat image = ballImage();
   std::ostringstream pcd;
   pcd.precision(9);
-  pcd << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " << image.cols << "\nHEIGHT "
-      << image.rows << "\nVIEWPOINT " << viewpoint << "\nPOINTS " << image.total() << "\nDATA ascii\n";
+  pcd << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
+      << (as_list ? static_cast<int>(image.total()) : image.cols) << "\nHEIGHT " << (as_list ? 1 : image.rows)
+      << "\nVIEWPOINT " << viewpoint << "\nPOINTS " << image.total() << "\nDATA ascii\n";
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
       const double z = flat ? 1.0 : 0.001 * image.at<std::uint16_t>(v, u);
@@ -120,6 +122,29 @@ TEST_F(DetectSensor, WithoutItAnImageTellsWhereItsCameraWas) {
     const Vec3 origin = vectorOf(primitive["extent"]["origin"]);
     EXPECT_LT((origin - vectorOf(told["primitives"][k]["extent"]["origin"])).norm(), 0.005);
   }
+}
+
+TEST_F(DetectSensor, WithoutItTheOrderOfAListTellsIt) {
+  const std::string list = write("list.pcd", ballPcd(kRobotFromCamera, kNoViewpoint, false, true));
+  EXPECT_EQ(run(list), 0);
+  EXPECT_NE(out.find("note: the points are a list that was moved to another frame; their order tells where the camera "
+                     "was: --sensor"),
+            std::string::npos)
+      << out;
+  const Json found = runOrdered(list), told = runOrdered(list + sensor);
+  EXPECT_EQ(found["sensor"]["from"], "image");
+  EXPECT_GE(told["primitives"].size(), 2u);
+  EXPECT_LT((vectorOf(found["sensor"]["position"]) - kRobotFromCamera.translation()).norm(), 0.005);
+  ASSERT_EQ(found["primitives"].size(), told["primitives"].size());
+  for (std::size_t k = 0; k < told["primitives"].size(); ++k) {
+    const Json& primitive = found["primitives"][k];
+    EXPECT_EQ(primitive["type"], told["primitives"][k]["type"]);
+    const Vec3 origin = vectorOf(primitive["extent"]["origin"]);
+    EXPECT_LT((origin - vectorOf(told["primitives"][k]["extent"]["origin"])).norm(), 0.005);
+  }
+  // In the frame of its camera nothing has to be said.
+  EXPECT_EQ(run(write("list.pcd", ballPcd(Eigen::Isometry3d::Identity(), kNoViewpoint, false, true))), 0);
+  EXPECT_EQ(out.find("note: "), std::string::npos) << out;
 }
 
 /// In the order of a PCD.

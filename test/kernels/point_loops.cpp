@@ -3,6 +3,7 @@
 // The loops over points of a cloud, of every instruction set that this machine has, against plain code.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -188,6 +189,74 @@ TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
       all.insert(all.end(), labels, labels + kPointsPerRun);
       results.push_back(all);
       EXPECT_EQ(results.front(), results.back()) << table->name;
+    }
+  }
+}
+
+/// Behind the sensor, far aside, and missing ones among them.
+Points someUnseen(std::size_t count) {
+  Points p(count);
+  for (std::size_t i = 0; i < count; i += 7) p.z[i] = i % 2 == 0 ? -p.z[i] : 0.0f;
+  for (std::size_t i = 3; i < count; i += 11) p.x[i] = 5.0f;
+  for (std::size_t i = 5; i < count; i += 13) p.x[i] = p.y[i] = p.z[i] = std::numeric_limits<float>::quiet_NaN();
+  return p;
+}
+
+TEST(Tangents, AreThoseOfWhatACameraSees) {
+  constexpr float kWidest = 2.0f;
+  for (const Loops* table : allLoops()) {
+    for (const std::size_t count : kCounts) {
+      const Points p = someUnseen(count);
+      std::vector<float> u(count), v(count);
+      const ViewBounds view = table->tangents(p.x.data(), p.y.data(), p.z.data(), count, kWidest, u.data(), v.data());
+      std::size_t seen = 0;
+      float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
+      for (std::size_t i = 0; i < count; ++i) {
+        const float across = p.x[i] / p.z[i], down = p.y[i] / p.z[i];
+        const bool in = p.z[i] > 0.0f && std::abs(across) < kWidest && std::abs(down) < kWidest;
+        ASSERT_EQ(std::isnan(u[i]), !in) << table->name << " " << i;
+        ASSERT_EQ(std::isnan(v[i]), !in) << table->name << " " << i;
+        if (!in) continue;
+        ++seen;
+        ASSERT_EQ(u[i], across) << table->name << " " << i;
+        ASSERT_EQ(v[i], down) << table->name << " " << i;
+        left = std::min(left, across), right = std::max(right, across);
+        top = std::min(top, down), bottom = std::max(bottom, down);
+      }
+      EXPECT_EQ(view.seen, seen) << table->name;
+      if (seen == 0) continue;
+      EXPECT_EQ(view.left, left) << table->name;
+      EXPECT_EQ(view.right, right) << table->name;
+      EXPECT_EQ(view.top, top) << table->name;
+      EXPECT_EQ(view.bottom, bottom) << table->name;
+    }
+  }
+}
+
+TEST(PixelsAt, AreRowByRowAndNoneOutside) {
+  const PixelGrid grid = {-0.25f, -0.125f, 64.0f, 32.0f, 32, 8};
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  struct Place {
+    float u, v;
+    std::uint32_t pixel;
+  };
+  const std::vector<Place> places = {{-0.25f, -0.125f, 0},    {-0.235f, -0.125f, 0},     {-0.234375f, -0.125f, 1},
+                                     {-0.25f, -0.09375f, 32}, {0.249f, 0.124f, 255},     {-0.2501f, 0.0f, kNoPixel},
+                                     {0.25f, 0.0f, kNoPixel}, {0.0f, -0.126f, kNoPixel}, {0.0f, 0.125f, kNoPixel},
+                                     {none, 0.0f, kNoPixel},  {0.0f, none, kNoPixel},    {1e30f, 0.0f, kNoPixel},
+                                     {0.0f, -1e30f, kNoPixel}};
+  for (const Loops* table : allLoops()) {
+    for (const std::size_t count : kCounts) {
+      std::vector<float> u, v;
+      for (std::size_t i = 0; i < count; ++i) {
+        u.push_back(places[i % places.size()].u);
+        v.push_back(places[i % places.size()].v);
+      }
+      std::vector<std::uint32_t> pixel(count);
+      table->pixelsAt(grid, u.data(), v.data(), count, pixel.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_EQ(pixel[i], places[i % places.size()].pixel) << table->name << " " << i;
+      }
     }
   }
 }

@@ -186,6 +186,42 @@ TEST(FramePipeline, SearchesAnImageThatWasMovedFromWhereItsCameraWas) {
   EXPECT_FALSE(pipeline.foundCamera()) << "of the cloud before";
 }
 
+/// The measured points alone, in their order.
+PointCloud2 asList(const PointCloud2& image) {
+  PointCloud2 list = image;
+  list.data.clear();
+  sensor_msgs::PointCloud2ConstIterator<float> z(image, "z");
+  for (std::size_t i = 0; i < std::size_t{image.width} * image.height; ++i, ++z) {
+    const auto point = image.data.begin() + static_cast<std::ptrdiff_t>(i * image.point_step);
+    if (!std::isnan(*z)) list.data.insert(list.data.end(), point, point + image.point_step);
+  }
+  list.width = static_cast<std::uint32_t>(list.data.size() / image.point_step), list.height = 1;
+  list.row_step = static_cast<std::uint32_t>(list.data.size());
+  return list;
+}
+
+TEST(FramePipeline, SearchesAListThatWasMovedFromWhereItsOrderTells) {
+  const Eigen::Isometry3d robot_from_camera = synthetic::robotFromCamera(1.3, 0.6);
+  FramePipeline pipeline{Params()};
+  pipeline.times().begin();
+  const PrimitiveArray expected = pipeline.process(asList(tableIn(Eigen::Isometry3d::Identity())));
+  EXPECT_FALSE(pipeline.foundCamera());
+  EXPECT_FALSE(pipeline.isListFromOrigin()) << "it is known, not assumed";
+  const PrimitiveArray found = pipeline.process(asList(tableIn(robot_from_camera)));
+  ASSERT_TRUE(pipeline.foundCamera());
+  EXPECT_TRUE(pipeline.isFoundByOrder());
+  EXPECT_EQ(pipeline.seenFromOrigin(), true);
+  EXPECT_LT((pipeline.foundCamera()->translation() - robot_from_camera.translation()).norm(), 0.002);
+  ASSERT_GE(expected.primitives.size(), 4u);
+  ASSERT_EQ(found.primitives.size(), expected.primitives.size());
+  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
+    EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
+    const auto &at = found.primitives[k].pose.pose.position, &before = expected.primitives[k].pose.pose.position;
+    const Eigen::Vector3d place = robot_from_camera * Eigen::Vector3d(before.x, before.y, before.z);
+    EXPECT_LT((Eigen::Vector3d(at.x, at.y, at.z) - place).norm(), 0.01) << k;
+  }
+}
+
 /// Labelled points lie on what they belong to, in the frame of the sensor; z of all is as this cloud of the camera's.
 void expectSeenAs(const PointCloud2& of_camera, const PointCloud2& message, FramePipeline& pipeline) {
   const Cloud seen = pipeline.seen(message);

@@ -219,9 +219,11 @@ class SensorFrame(unittest.TestCase):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)
         self.assertTrue(detector.ready())
 
+        points = sorted(POINTS, key=lambda p: hash(p))  # in no order that could tell more
+
         def warned():
             for frame in ("my_optical_frame", "base"):
-                answer = detector.ask(cloud_message(POINTS, len(POINTS), 1, frame=frame))
+                answer = detector.ask(cloud_message(points, len(points), 1, frame=frame))
                 self.assertEqual(answer.status, PrimitiveArray.OK)
                 self.assertTrue(answer.seen_from_origin)
             return [m for m in log.all() if m.name == "/without" and "without rows and columns in frame" in m.msg]
@@ -229,6 +231,14 @@ class SensorFrame(unittest.TestCase):
         self.assertTrue(warnings)
         self.assertEqual([m.msg for m in warned() if "'base'" not in m.msg], [])
         self.assertEqual(len(warned()), 1)
+
+    def test_without_it_the_order_of_a_list_tells_where_its_camera_was(self):
+        detector = Detector("/other_cloud", "/without")
+        self.assertTrue(detector.ready())
+        points = [(x, y, z + HEIGHT) for x, y, z in map(turned, POINTS)]
+        answer = found(detector, lambda: cloud_message(points, len(points), 1, frame="base"))
+        self.assertTrue(answer)
+        self.check_primitives(answer)  # also that depths were cut along the axis of the camera
 
     def test_without_it_the_log_and_diagnostics_ask_for_it(self):
         detector, log = Detector("/other_cloud", "/without"), Collector("/rosout", Log)

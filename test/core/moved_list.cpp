@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists of the points of an image tell by their order where its camera was.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/listed_image.h"
+#include "core/random.h"
+#include "primitect/moved_image.h"
+#include "synthetic/clutter.h"
+#include "synthetic/poses.h"
+#include "test/support/rendered_cloud.h"
+
+namespace primitect::moved_list_test {
+namespace {
+
+const Eigen::Isometry3d kRobotFromCamera = synthetic::robotFromCamera(1.3, 0.6);
+
+Cloud table(std::uint64_t seed) {
+  return test::renderedCloud(synthetic::clutteredTable(seed), {}, seed, synthetic::clutterPose(seed));
+}
+
+std::vector<Vec3> pointsOf(const Cloud& image) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (image.valid(i)) points.push_back(image.point(i));
+  }
+  return points;
+}
+
+Cloud listOf(const std::vector<Vec3>& points, const Eigen::Isometry3d& frame_from_camera = kRobotFromCamera) {
+  Cloud list;
+  list.reset(static_cast<std::uint32_t>(points.size()), 1, false);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f p = (frame_from_camera * points[i]).cast<float>();
+    list.setPoint(i, p.x(), p.y(), p.z(), {});
+  }
+  return list;
+}
+
+std::vector<Vec3> those(const std::vector<Vec3>& points, const std::function<bool(const Vec3&)>& stay) {
+  std::vector<Vec3> left;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(left), stay);
+  return left;
+}
+
+void expectFound(const std::vector<Vec3>& points, const Eigen::Isometry3d& pose, const std::string& what) {
+  const auto found = findCamera(listOf(points, pose));
+  ASSERT_TRUE(found) << what;
+  EXPECT_LT((found->translation() - pose.translation()).norm(), 0.002) << what;
+  EXPECT_LT(Eigen::AngleAxisd(found->linear().transpose() * pose.linear()).angle(), 0.002) << what;
+}
+
+TEST(FindCameraOfAList, InAnyFrame) {
+  Eigen::Isometry3d on_side = Eigen::Isometry3d::Identity();
+  on_side.translate(Vec3(-3.0, 20.0, 5.0)).rotate(Eigen::AngleAxisd(1.5, Vec3(1, 2, -1).normalized()));
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (const Eigen::Isometry3d& pose : {kRobotFromCamera, synthetic::robotFromCamera(2.5, 1.5), on_side,
+                                          Eigen::Isometry3d(Eigen::Isometry3d::Identity())}) {
+      expectFound(pointsOf(table(seed)), pose, "table " + std::to_string(seed));
+    }
+  }
+}
+
+TEST(FindCameraOfAList, AfterFilters) {
+  Random random(5);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<Vec3> all = pointsOf(table(seed));
+    const std::string table_text = ", table " + std::to_string(seed);
+    expectFound(those(all, [](const Vec3& p) { return std::abs(p.x()) < 0.2 && std::abs(p.y()) < 0.15; }),
+                kRobotFromCamera, "a box" + table_text);
+    expectFound(those(all, [&](const Vec3&) { return random.uniform() < 0.5; }), kRobotFromCamera,
+                "half of the points" + table_text);
+    expectFound(those(all, [&](const Vec3&) { return random.uniform() < 0.97; }), kRobotFromCamera,
+                "without outliers" + table_text);
+  }
+}
+
+TEST(FindCameraOfAList, WhicheverWayColumnsAndRowsRun) {
+  const Cloud image = table(2);
+  std::vector<Vec3> down, backwards = pointsOf(image);
+  for (std::size_t column = 0; column < image.width; ++column) {
+    for (std::size_t i = column; i < image.size(); i += image.width) {
+      if (image.valid(i)) down.push_back(image.point(i));
+    }
+  }
+  std::reverse(backwards.begin(), backwards.end());
+  for (const std::vector<Vec3>& points : {down, backwards}) {
+    const auto found = findCamera(listOf(points));
+    ASSERT_TRUE(found);
+    EXPECT_LT((found->translation() - kRobotFromCamera.translation()).norm(), 0.002);
+    EXPECT_NEAR(found->linear().col(2).dot(kRobotFromCamera.linear().col(2)), 1.0, 1e-6) << "it looks ahead";
+    EXPECT_TRUE(isAtOrigin(*findCamera(listOf(points, Eigen::Isometry3d::Identity())), listOf(points)));
+  }
+}
+
+TEST(FindCameraOfAList, WhateverAFewStraysSay) {
+  Random random(3);
+  std::vector<Vec3> points = pointsOf(table(1));
+  for (Vec3& point : points) {
+    if (random.uniform() < 0.02) point.x() += 0.2 * random.gaussian();
+  }
+  expectFound(points, kRobotFromCamera, "strays");
+}
+
+/// Means of the points in cubes, in the order of these.
+std::vector<Vec3> averaged(const std::vector<Vec3>& points, double side) {
+  struct Sum {
+    long place;
+    Vec3 sum;
+    double count;
+  };
+  std::vector<Sum> sums;
+  for (const Vec3& p : points) {
+    const Eigen::Vector3i cube = (p / side).array().floor().cast<int>();
+    sums.push_back({(cube.z() * 4096L + cube.y()) * 4096L + cube.x(), p, 1.0});
+  }
+  std::sort(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) { return a.place < b.place; });
+  std::vector<Vec3> means;
+  for (std::size_t i = 0; i < sums.size();) {
+    Sum mean = sums[i];
+    for (++i; i < sums.size() && sums[i].place == mean.place; ++i) mean.sum += sums[i].sum, mean.count += 1.0;
+    means.push_back(mean.sum / mean.count);
+  }
+  return means;
+}
+
+TEST(FindCameraOfAList, NotWithoutTheOrderOfTheImage) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    std::vector<Vec3> points = pointsOf(table(seed));
+    for (const double side : {0.003, 0.005, 0.01}) {
+      EXPECT_FALSE(findCamera(listOf(averaged(points, side)))) << "voxels of " << side << ", table " << seed;
+    }
+    Random random(seed);
+    for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
+    EXPECT_FALSE(findCamera(listOf(points))) << "shuffled table " << seed;
+  }
+}
+
+TEST(FindCameraOfAList, NotOfTwoCameras) {
+  std::vector<Vec3> points = pointsOf(table(1));
+  const Eigen::Isometry3d first_from_second = synthetic::robotFromCamera(0.5, 0.2);
+  for (const Vec3& point : pointsOf(table(2))) points.push_back(first_from_second * point);
+  EXPECT_FALSE(findCamera(listOf(points)));
+}
+
+TEST(FindCameraOfAList, NotOfALaserScannerNorOfChance) {
+  std::vector<Vec3> by_column, by_row, chance;
+  Random random(9);
+  const auto seen = [](int azimuth, int elevation) {
+    const double a = 0.0035 * azimuth, e = 0.035 * elevation,
+                 far = 1.2 + 0.3 * std::sin(5.0 * a) + 0.2 * std::cos(7.0 * e);
+    return Vec3(far * std::sin(a) * std::cos(e), far * std::sin(e), far * std::cos(a) * std::cos(e));
+  };
+  for (int a = -150; a < 150; ++a) {
+    for (int e = -8; e < 8; ++e) by_column.push_back(seen(a, e));
+  }
+  for (int e = -8; e < 8; ++e) {
+    for (int a = -150; a < 150; ++a) by_row.push_back(seen(a, e));
+  }
+  for (int k = 0; k < 20000; ++k) chance.push_back(Vec3(random.uniform(), random.uniform(), random.uniform()));
+  EXPECT_FALSE(findCamera(listOf(by_column)));
+  EXPECT_FALSE(findCamera(listOf(by_row)));
+  EXPECT_FALSE(findCamera(listOf(chance)));
+}
+
+TEST(FindCameraOfAList, NotOfFewPointsOrOnesInOnePlaceOrOnALine) {
+  EXPECT_FALSE(findCamera(Cloud()));
+  for (const int count : {1, 3, 60, 2000}) {
+    std::vector<Vec3> line;
+    for (int k = 0; k < count; ++k) line.push_back(Vec3(0.001 * k, 0.002 * k, 1.0));
+    EXPECT_FALSE(findCamera(listOf(line))) << count;
+    EXPECT_FALSE(findCamera(listOf(std::vector<Vec3>(static_cast<std::size_t>(count), Vec3(1, 2, 3))))) << count;
+  }
+}
+
+TEST(OriginOfAList, IsTheCameraOrElsewhereWhereItsOrderTells) {
+  const std::vector<Vec3> points = pointsOf(table(3));
+  EXPECT_EQ(originOf(listOf(points, Eigen::Isometry3d::Identity())), Origin::camera);
+  EXPECT_EQ(originOf(listOf(points)), Origin::elsewhere);
+  std::vector<Vec3> shuffled = points;
+  Random random(1);
+  for (std::size_t i = shuffled.size() - 1; i > 0; --i) std::swap(shuffled[i], shuffled[random.below(i + 1)]);
+  EXPECT_EQ(originOf(listOf(shuffled)), Origin::unknown);
+}
+
+TEST(OriginOfAList, IsElsewhereWhereMostOfItWasCutOff) {
+  // In the frame of a camera that hangs above: nothing of what it sees is in front of the origin.
+  std::vector<Vec3> points = pointsOf(table(3));
+  Cloud cut = listOf(points, synthetic::robotFromCamera(0.3, 0.9));
+  cut.move(Eigen::Isometry3d::Identity(), {0.1f, 2.0f});
+  ASSERT_LT(cut.valid_count, cut.size() / 2);
+  EXPECT_EQ(originOf(cut), Origin::elsewhere);
+}
+
+/// Columns and rows are whole numbers, and those of the image but for where they begin.
+TEST(FindPixels, AreThoseOfTheImage) {
+  const Cloud image = table(4);
+  const std::vector<SeenPoint> seen = findPixels(listOf(pointsOf(image), Eigen::Isometry3d::Identity()));
+  ASSERT_GT(seen.size(), 400u);
+  const double focal_length = synthetic::PinholeCamera().fx;
+  const auto trueOf = [&](const SeenPoint& each) {
+    return Eigen::Vector2d(focal_length * each.point.head<2>() / each.point.z());
+  };
+  const Eigen::Vector2d shift = seen.front().pixel - trueOf(seen.front());
+  for (const SeenPoint& each : seen) {
+    EXPECT_EQ(each.pixel.x(), std::round(each.pixel.x()));
+    EXPECT_LT((each.pixel - trueOf(each) - shift).norm(), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace primitect::moved_list_test
