@@ -9,7 +9,7 @@
 namespace primitect {
 namespace {
 
-constexpr double kNear = 0.1;  // spacings
+constexpr double kNearPlace = 0.1;  // spacings
 
 /// What most of the values are off by, as an angle: those of one place point in one direction.
 double offsetOf(const List<double>& values, double spacing) {
@@ -44,7 +44,7 @@ Lattice latticeFrom(const List<double>& values, double about) {
     double products = 0.0, squares = 0.0;
     for (std::size_t i = apart; i < values.size(); ++i) {
       const double difference = values[i] - values[i - apart], number = difference / lattice.spacing;
-      if (!isWhole(number, kNear)) continue;
+      if (!isWhole(number, kNearPlace)) continue;
       products += std::round(number) * difference, squares += std::round(number) * std::round(number);
     }
     if (squares > 0.0) lattice.spacing = products / squares;
@@ -66,7 +66,7 @@ std::optional<Lattice> findLattice(List<double> values) {
     const Lattice lattice = latticeFrom(values, about);
     const auto near = std::count_if(values.begin(), values.end(), [&lattice](double value) {
       const double place = lattice.place(value);
-      return std::abs(place - std::round(place)) < kNear;
+      return std::abs(place - std::round(place)) < kNearPlace;
     });
     if (static_cast<double>(near) > kNearlyAll * static_cast<double>(values.size())) return lattice;
   }

@@ -20,8 +20,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr std::size_t kFewest = 50;  // pairs of points
-constexpr double kNear = 0.1;        // px
+constexpr std::size_t kFewestPairs = 50;  // pairs of points
+constexpr double kNearPixel = 0.1;        // px
 constexpr int kRefits = 2;
 
 /// Draws what tells much more often than what tells little.
@@ -55,14 +55,14 @@ class Draw {
 };
 
 /// Of one row, mostly.
-struct Pair {
+struct RowPair {
   Vec3 first, second;
 };
 
 /// Some of the points of a list, moved and scaled to lengths of about 1.
-class SomePoints {
+class PointsOfList {
  public:
-  explicit SomePoints(const Cloud& list) : list_(list) {
+  explicit PointsOfList(const Cloud& list) : list_(list) {
     constexpr std::size_t kEnough = 512, kTries = 16;
     Random random(1);
     for (std::size_t k = 0; k < kTries * kEnough && places_.size() < kEnough; ++k) {
@@ -81,8 +81,8 @@ class SomePoints {
   const std::vector<std::size_t>& places() const { return places_; }
   Vec3 at(std::size_t place) const { return (list_.point(place) - middle_) / size_; }
   /// Each with the one that follows so many places later.
-  std::vector<Pair> pairs(std::size_t apart) const {
-    std::vector<Pair> result;
+  std::vector<RowPair> pairs(std::size_t apart) const {
+    std::vector<RowPair> result;
     for (const std::size_t place : places_) {
       if (place + apart < list_.size() && list_.valid(place + apart)) result.push_back({at(place), at(place + apart)});
     }
@@ -97,9 +97,9 @@ class SomePoints {
 };
 
 /// Where points follow each other in their row, about the width of a pixel; 0: they are in one place.
-double usualStep(const std::vector<Pair>& neighbours) {
+double usualStep(const std::vector<RowPair>& neighbours) {
   std::vector<double> steps;
-  for (const Pair& pair : neighbours) steps.push_back((pair.second - pair.first).norm());
+  for (const RowPair& pair : neighbours) steps.push_back((pair.second - pair.first).norm());
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
@@ -110,13 +110,13 @@ struct RowAxis {
   Vec3 along, through;  ///< unit; of its points the nearest to the origin
 
   /// How far the second point is from the plane of the axis and the first one.
-  double offPlane(const Pair& pair) const {
+  double offPlane(const RowPair& pair) const {
     return std::abs(along.cross(pair.first - through).normalized().dot(pair.second - through));
   }
 };
 
 /// Times the direction and the moment of a line it is 0 where the line through the pair meets it.
-Vector6 equationOf(const Pair& pair) {
+Vector6 equationOf(const RowPair& pair) {
   const Vec3 along = pair.second - pair.first;
   Vector6 equation;
   equation << pair.first.cross(pair.second), along;
@@ -134,9 +134,9 @@ std::optional<RowAxis> axisOf(const Vector6& line) {
 }
 
 /// In which most pairs point, but for its sign and their length.
-Vec3 commonDirection(const std::vector<Pair>& pairs) {
+Vec3 commonDirection(const std::vector<RowPair>& pairs) {
   Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
-  for (const Pair& pair : pairs) {
+  for (const RowPair& pair : pairs) {
     const Vec3 along = (pair.second - pair.first).normalized();
     sums += along * along.transpose();
   }
@@ -145,12 +145,12 @@ Vec3 commonDirection(const std::vector<Pair>& pairs) {
 
 /// From five pairs, the best of several draws. What is parallel to the rows, as of a wall before the camera, tells no
 /// axis.
-std::optional<RowAxis> drawAxis(const std::vector<Pair>& pairs, double near) {
+std::optional<RowAxis> drawAxis(const std::vector<RowPair>& pairs, double near) {
   constexpr int kDraws = 40, kDrawn = 5;
   constexpr double kNearlyAll = 0.9, kLeast = 0.5;  // of small parts of an image many pairs are of two rows
   const Vec3 common = commonDirection(pairs);
   std::vector<double> tells;
-  for (const Pair& pair : pairs) tells.push_back((pair.second - pair.first).normalized().cross(common).norm());
+  for (const RowPair& pair : pairs) tells.push_back((pair.second - pair.first).normalized().cross(common).norm());
   Draw draw(std::move(tells));
   double most = kLeast;
   std::optional<RowAxis> best;
@@ -166,19 +166,19 @@ std::optional<RowAxis> drawAxis(const std::vector<Pair>& pairs, double near) {
   return best;
 }
 
-std::vector<Pair> inOneRow(const RowAxis& axis, const std::vector<Pair>& pairs, double near) {
-  std::vector<Pair> result;
+std::vector<RowPair> inOneRow(const RowAxis& axis, const std::vector<RowPair>& pairs, double near) {
+  std::vector<RowPair> result;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(result),
-               [&](const Pair& pair) { return axis.offPlane(pair) < near; });
+               [&](const RowPair& pair) { return axis.offPlane(pair) < near; });
   return result;
 }
 
 /// By least squares from those of one row.
-std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<Pair>& pairs, double near) {
-  const std::vector<Pair> in_row = inOneRow(before, pairs, near);
-  if (in_row.size() < kFewest) return before;
+std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<RowPair>& pairs, double near) {
+  const std::vector<RowPair> in_row = inOneRow(before, pairs, near);
+  if (in_row.size() < kFewestPairs) return before;
   Eigen::Matrix<double, 6, 6> sums = Eigen::Matrix<double, 6, 6>::Zero();
-  for (const Pair& pair : in_row) {
+  for (const RowPair& pair : in_row) {
     const Vector6 equation = equationOf(pair);
     sums += equation * equation.transpose();
   }
@@ -187,13 +187,13 @@ std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<Pair>& p
 }
 
 /// Pairs that are farther apart tell it the better the better it is known which of them are of one row.
-std::optional<RowAxis> findAxis(const SomePoints& points, double near) {
+std::optional<RowAxis> findAxis(const PointsOfList& points, double near) {
   constexpr std::size_t kDrawn = 4;
-  const std::vector<Pair> drawn = points.pairs(kDrawn);
-  if (drawn.size() < kFewest) return std::nullopt;
+  const std::vector<RowPair> drawn = points.pairs(kDrawn);
+  if (drawn.size() < kFewestPairs) return std::nullopt;
   std::optional<RowAxis> axis = drawAxis(drawn, near);
   for (const std::size_t apart : {4, 16, 64}) {
-    const std::vector<Pair> pairs = points.pairs(apart);
+    const std::vector<RowPair> pairs = points.pairs(apart);
     for (int time = 0; axis && time < kRefits; ++time) axis = fitAxis(*axis, pairs, near);
   }
   return axis;
@@ -223,16 +223,16 @@ struct Columns {
 };
 
 /// From a point to another one of its row: change = centre * inverse + (columns from one to the other) * width . to
-struct Step {
+struct ColumnStep {
   double change, inverse;
   Eigen::Vector2d to;  ///< unit, across the axis
 
   double columns(const Columns& columns) const { return (change - columns.centre * inverse) / columns.width.dot(to); }
 };
 
-std::vector<Step> stepsOf(const OnAxis& frame, const std::vector<Pair>& in_row) {
-  std::vector<Step> steps;
-  for (const Pair& pair : in_row) {
+std::vector<ColumnStep> columnSteps(const OnAxis& frame, const std::vector<RowPair>& in_row) {
+  std::vector<ColumnStep> steps;
+  for (const RowPair& pair : in_row) {
     const Eigen::Vector2d first = frame.across(pair.first), second = frame.across(pair.second);
     const double from = 1.0 / first.norm(), to = 1.0 / second.norm();
     steps.push_back({to * frame.along(pair.second) - from * frame.along(pair.first), to - from, from * first});
@@ -241,13 +241,13 @@ std::vector<Step> stepsOf(const OnAxis& frame, const std::vector<Pair>& in_row) 
 }
 
 /// From three steps of one column, the best of several draws. Steps at one distance from the axis tell no centre.
-std::optional<Columns> drawColumns(const std::vector<Step>& steps) {
+std::optional<Columns> drawColumns(const std::vector<ColumnStep>& steps) {
   constexpr int kDraws = 200;
   constexpr double kNearlyAll = 0.97, kLeast = 0.6;
   // px: steps on a wall or a table look nearly whole from other places, too, and from all if they were long enough.
   constexpr double kNearer = 0.03, kFarthest = 8.5;
   std::vector<double> tells;
-  for (const Step& step : steps) tells.push_back(step.change != 0.0 ? std::abs(step.inverse / step.change) : 0.0);
+  for (const ColumnStep& step : steps) tells.push_back(step.change != 0.0 ? std::abs(step.inverse / step.change) : 0.0);
   Draw draw(std::move(tells));
   double most = kLeast;
   std::optional<Columns> best;
@@ -255,7 +255,7 @@ std::optional<Columns> drawColumns(const std::vector<Step>& steps) {
     Eigen::Matrix3d equations;
     Vec3 changes;
     for (int k = 0; k < 3; ++k) {
-      const Step& step = steps[draw.next()];
+      const ColumnStep& step = steps[draw.next()];
       equations.row(k) << step.inverse, step.to.transpose();
       changes[k] = step.change;
     }
@@ -271,30 +271,30 @@ std::optional<Columns> drawColumns(const std::vector<Step>& steps) {
 }
 
 /// By least squares from the steps that are whole.
-std::optional<Columns> fitColumns(const Columns& before, const std::vector<Step>& steps) {
+std::optional<Columns> fitColumns(const Columns& before, const std::vector<ColumnStep>& steps) {
   Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
   Vec3 changes = Vec3::Zero();
   std::size_t used = 0;
-  for (const Step& step : steps) {
+  for (const ColumnStep& step : steps) {
     const double number = step.columns(before);
-    if (!isWhole(number, kNear)) continue;
+    if (!isWhole(number, kNearPixel)) continue;
     Vec3 equation;
     equation << step.inverse, std::round(number) * step.to;
     sums += equation * equation.transpose(), changes += step.change * equation;
     ++used;
   }
-  if (used < kFewest) return before;
+  if (used < kFewestPairs) return before;
   const Vec3 solved = sums.ldlt().solve(changes);
   return solved.allFinite() ? std::optional(Columns{solved[0], solved.tail<2>()}) : std::nullopt;
 }
 
-std::optional<Columns> findColumns(const SomePoints& points, const OnAxis& frame, double near) {
-  const auto steps = [&](std::size_t apart) { return stepsOf(frame, inOneRow(frame.axis, points.pairs(apart), near)); };
-  const std::vector<Step> next = steps(1);
-  if (next.size() < kFewest) return std::nullopt;
+std::optional<Columns> findColumns(const PointsOfList& points, const OnAxis& frame, double near) {
+  const auto steps = [&](std::size_t apart) { return columnSteps(frame, inOneRow(frame.axis, points.pairs(apart), near)); };
+  const std::vector<ColumnStep> next = steps(1);
+  if (next.size() < kFewestPairs) return std::nullopt;
   std::optional<Columns> columns = drawColumns(next);
   for (const std::size_t apart : {1, 8, 64}) {
-    const std::vector<Step> longer = steps(apart);
+    const std::vector<ColumnStep> longer = steps(apart);
     for (int time = 0; columns && time < kRefits; ++time) columns = fitColumns(*columns, longer);
   }
   return columns;
@@ -307,12 +307,12 @@ std::vector<SeenPoint> findPixels(const Cloud& list) {
   constexpr double kLeastHeight = 0.2;  // times the width
   constexpr double kShort = 0.1;        // of the steps to other rows so many are short, from one to the next
   constexpr double kLongestStep = 0.1;  // of the size of all: what follows each other is not even near each other
-  const SomePoints points(list);
-  const std::vector<Pair> neighbours = points.pairs(1);
-  if (neighbours.size() < kFewest) return {};
+  const PointsOfList points(list);
+  const std::vector<RowPair> neighbours = points.pairs(1);
+  if (neighbours.size() < kFewestPairs) return {};
   const double step = usualStep(neighbours);
   if (!(step < kLongestStep)) return {};
-  const double near = kNear * step;
+  const double near = kNearPixel * step;
   const std::optional<RowAxis> axis = findAxis(points, near);
   if (!axis) return {};
   const OnAxis frame(*axis);
