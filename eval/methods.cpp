@@ -74,19 +74,19 @@ std::shared_ptr<Contestant> parseContestant(const std::string& text) {
   return std::make_shared<Contestant>(Contestant{detectorWith(preset, given), detectorWith(preset, scene)});
 }
 
-/// A list is searched as the node does: where the order of its points tells it, from where its camera was.
+/// A camera's list is searched as the node does: where the order of its points tells it, from where the camera was.
 class Search {
  public:
   explicit Search(Detector& detector) : detector_(detector) {}
 
-  const Detections& detect(const Cloud& cloud) {
-    if (cloud.organized() || originOf(cloud) != Origin::elsewhere) return detector_.detect(cloud);
-    const auto camera = findCamera(cloud);
-    if (!camera || isAtOrigin(*camera, cloud)) return detector_.detect(cloud);
+  const Detections& detect(const Cloud& cloud, bool from_camera) {
+    if (!from_camera || cloud.organized()) return detector_.detect(cloud);
+    const CameraSearch found = searchForCamera(cloud, [&cloud]() -> const Cloud& { return cloud; });
+    if (!found.cloud_from_camera) return detector_.detect(cloud);
     moved_ = cloud;
-    moved_.move(camera->inverse(), DepthRange());
+    moved_.move(found.cloud_from_camera->inverse(), DepthRange());
     found_ = detector_.detect(moved_);
-    transformDetections(*camera, found_);
+    transformDetections(*found.cloud_from_camera, found_);
     return found_;
   }
 
@@ -96,7 +96,7 @@ class Search {
   Detections found_;
 };
 
-Answer detectTimed(Detector& detector, const Cloud& cloud, int repeat) {
+Answer detectTimed(Detector& detector, const LabelledCloud& input, int repeat) {
   Answer answer;
   double vote_ms = 0.0;
   answer.total_ms = answer.vote_ms = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ Answer detectTimed(Detector& detector, const Cloud& cloud, int repeat) {
   for (int k = 0; k < repeat; ++k) {
     const Clock::time_point start = stage_start = Clock::now();
     vote_ms = 0.0;
-    const Detections& detections = search.detect(cloud);
+    const Detections& detections = search.detect(input.cloud, input.from_sensor);
     answer.total_ms = std::min(answer.total_ms, millisecondsSince(start));
     answer.vote_ms = std::min(answer.vote_ms, vote_ms);
     answer.detections = detections.items;
@@ -125,7 +125,7 @@ Method ours(const std::string& name, const std::string& configuration, int algor
   const std::shared_ptr<Contestant> contestant = parseContestant(configuration + seed);
   const auto run = [contestant](const LabelledCloud& input, int repeat) {
     Detector& detector = input.from_sensor ? contestant->for_frames : contestant->for_scenes;
-    return detectTimed(detector, input.cloud, repeat);
+    return detectTimed(detector, input, repeat);
   };
   return {name, run, true, algorithm_seed};
 }

@@ -67,17 +67,15 @@ def normalised_error(lines, kind, part):
 
 def group_of(line):
     """Name of the group that a cloud belongs to: paper-like scenes, depth frames, and what is unlike these. Frames that
-    were shuffled have no rows any more, nor those that are lists, and the detector makes an image of them again;
-    nor do those that a voxel grid averaged, which err less than it expects; of those in another frame than the camera's
-    it does not know how they were seen; in grains noise errs alike in neighbours, farther than covariances expect, and
+    were shuffled, or are lists, have no rows any more, and the detector makes an image of them again; nor have those that
+    a voxel grid averaged, which err less than it expects; of those in another frame than the camera's, unless they are
+    lists in their order, it does not know how they were seen; in grains noise errs alike in neighbours, farther than covariances expect, and
     other sensors bend what they see."""
     if line["set"] == CUT_OUT:
         return CUT_OUTS
     if line["set"] not in FRAMES:
         return SCENES
-    if line.get("listed"):
-        return SHUFFLED
-    if line.get("robot_frame"):
+    if line.get("robot_frame") and not (line.get("listed") and not line.get("shuffle") and not line.get("voxel")):
         return MOVED
     if line.get("voxel", 0.0) > 0.0:
         return VOXELS
@@ -87,6 +85,8 @@ def group_of(line):
         return OTHER_SENSORS
     if line.get("noise_grain", 1) > 1:
         return GRAINY
+    if line.get("listed"):
+        return SHUFFLED
     return NOISY if line.get("noise_scale", 1.0) > 1.0 else DEPTH_FRAMES
 
 

@@ -46,7 +46,8 @@ for seed in range(first, first + count):
                               keep=float(value["--keep"]), uneven=float(value.get("--uneven", 1)),
                               shuffle="--shuffle" in sys.argv, noise_grain=int(value.get("--noise-grain", 1)),
                               sensor=value.get("--sensor", "structured_light"), blots=float(value.get("--blots", 0)),
-                              robot_frame="--robot-frame" in sys.argv, voxel=float(value.get("--voxel", 0)), listed="--list" in sys.argv,
+                              robot_frame="--robot-frame" in sys.argv, voxel=float(value.get("--voxel", 0)),
+                              listed="--list" in sys.argv,
                               all=counts(truths=2, found=2, correct=1, typed_correct=1))), flush=True)
 """ % HERE
 COMMIT = {"commit": "c1", "cpu": "cpu 1", "date": "2026-01-01"}
@@ -111,8 +112,8 @@ def test_a_call_asks_for_all_of_its_recipe():
         return measure.command_of("compare", plan.Call(plan.Recipe("tabletop", **unusual), 1, 1, ("default",), 1, 1.0))
     usual = arguments()
     for unusual, wanted in (({"shuffle": True}, ["--shuffle"]), ({"robot_frame": True}, ["--robot-frame"]),
-                            ({"listed": True}, ["--list"]),
-                            ({"voxel": 0.005}, ["--voxel", "0.005"]), ({"uneven": 3.0}, ["--uneven", "3.0"]),
+                            ({"listed": True}, ["--list"]), ({"uneven": 3.0}, ["--uneven", "3.0"]),
+                            ({"voxel": 0.005}, ["--voxel", "0.005"]),
                             ({"noise_grain": 5}, ["--noise-grain", "5"]), ({"sensor": "stereo"}, ["--sensor", "stereo"]),
                             ({"blots": 0.2}, ["--blots", "0.2"])):
         assert [text for text in arguments(**unusual) if text not in usual] == wanted, unusual

@@ -32,6 +32,9 @@ class Arrangement {
   /// What is worked on is the image that was found for a list, but its pixels are not those of the camera.
   bool isApproximate() const { return is_projected_ && !projected_.isExact(); }
 
+  /// That image has a pixel for each of the list's points.
+  bool holdsAllPoints() const { return is_projected_ && projected_.image().valid_count == projected_.pointCount(); }
+
   /// The image that the cloud was; null where it is worked on as anything else.
   const ProjectedImage* projected() const { return is_projected_ ? &projected_ : nullptr; }
 

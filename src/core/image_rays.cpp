@@ -84,6 +84,11 @@ void findBorder(const Cloud& cloud, ImageRays& rays) {
 
 }  // namespace
 
+bool isOfPixels(double height_over_width) {
+  constexpr double kLongest = 4.5;
+  return height_over_width < kLongest && height_over_width > 1.0 / kLongest;
+}
+
 PixelPitch pitchOf(const ImageRays& rays) {
   constexpr double kLargestMisfit = 0.05;  // px
   if (!rays.known || rays.misfit > kLargestMisfit) return {};

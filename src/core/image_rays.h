@@ -25,6 +25,9 @@ struct ImageRays {
   }
 };
 
+/// So much higher than wide, or as much less, pixels may be: of four rows three may be missing.
+bool isOfPixels(double height_over_width);
+
 /// How much x/z grows from column to column, and y/z from row to row; 0: not known.
 struct PixelPitch {
   double u = 0.0, v = 0.0;

@@ -21,7 +21,7 @@ double offsetOf(const List<double>& values, double spacing) {
 
 }  // namespace
 
-bool isWhole(double number, double near) {
+bool isWholeAndNotZero(double number, double near) {
   return std::abs(number - std::round(number)) < near && std::round(number) != 0.0;
 }
 
@@ -44,7 +44,7 @@ Lattice latticeFrom(const List<double>& values, double about) {
     double products = 0.0, squares = 0.0;
     for (std::size_t i = apart; i < values.size(); ++i) {
       const double difference = values[i] - values[i - apart], number = difference / lattice.spacing;
-      if (!isWhole(number, kNearPlace)) continue;
+      if (!isWholeAndNotZero(number, kNearPlace)) continue;
       products += std::round(number) * difference, squares += std::round(number) * std::round(number);
     }
     if (squares > 0.0) lattice.spacing = products / squares;

@@ -17,8 +17,8 @@ struct Lattice {
   double place(double value) const { return (value - offset) / spacing; }
 };
 
-/// A number of spacings between two values, but for this share of one.
-bool isWhole(double number, double near);
+/// As the number of spacings between two values in different places is: less than `near` from a whole one.
+bool isWholeAndNotZero(double number, double near);
 
 /// Of the steps between values that follow each other, and are longer than `least`, this share is shorter; 0: there are
 /// fewer than 25.

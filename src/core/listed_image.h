@@ -23,14 +23,10 @@ struct SeenPoint {
 /// grid, or come from several cameras. Where it only seems to tell them, no camera sees the points there.
 ///
 /// Noise moves the points of a depth camera along their rays, so their places in the image are exact, and from them
-/// follows where the camera is:
-/// - Points of a row are in a plane with the axis through the centre of the camera along its rows: the line through two
-///   of them meets that axis, an equation linear in the axis' Pluecker coordinates (Hartley and Zisserman, Multiple
-///   View Geometry, 2004, 3.2.2). Most points that are near each other in the list are of one row. So the axis is found
-///   from five such pairs, drawn again until nearly all others agree, and by least squares from these.
-/// - With s along the axis, t the distance from it and phi the angle around it, s = s0 at the centre, columns are
-///   (s - s0) / (t cos(phi - phi0)) but for their width. From one to the next d(s/t) = s0 d(1/t) + a cos phi + b sin
-///   phi, linear in s0 and in a and b, which tell their width and where the camera looks.
+/// follows where the camera is: on the axis of row_axis.h. With s along it, t the distance from it and phi the angle
+/// around it, s = s0 at the centre, columns are (s - s0) / (t cos(phi - phi0)) but for their width. From one to the
+/// next d(s/t) = s0 d(1/t) + a cos phi + b sin phi, linear in s0 and in a and b, which tell their width and where the
+/// camera looks. Rows are what is left: y/z of the points is on a lattice.
 std::vector<SeenPoint> findPixels(const Cloud& list);
 
 }  // namespace primitect

@@ -146,9 +146,8 @@ std::vector<SeenPoint> withoutStrays(const std::vector<SeenPoint>& seen) {
 
 /// Pixels are square; k(2, 2) is 1.
 bool hasPixelsOfACamera(const Eigen::Matrix3d& k) {
-  constexpr double kLongest = 4.5, kSkew = 0.02;  // of every four rows three may be missing
-  const double longer = k(0, 0) / k(1, 1);
-  return longer < kLongest && longer > 1.0 / kLongest && std::abs(k(0, 1)) < kSkew * k(0, 0);
+  constexpr double kSkew = 0.02;
+  return isOfPixels(k(0, 0) / k(1, 1)) && std::abs(k(0, 1)) < kSkew * k(0, 0);
 }
 
 /// The axis of the lens is not far from the image, of which a part may have been cut off. Of a list nobody knows what
@@ -167,22 +166,6 @@ std::ptrdiff_t countElsewhere(const Vec3& camera, const std::vector<SeenPoint>& 
 }
 
 }  // namespace
-
-bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) {
-  constexpr double kShift = 0.003, kTurn = 0.003;  // m, rad
-  const Eigen::Matrix3d axes = cloud_from_camera.linear();
-  const double turn = cloud.organized() ? Eigen::AngleAxisd(axes).angle() : std::acos(std::min(1.0, axes(2, 2)));
-  return cloud_from_camera.translation().norm() <= kShift && turn <= kTurn;
-}
-
-Origin originOf(const Cloud& cloud) {
-  constexpr double kMost = 0.5;
-  if (cloud.organized()) {
-    return cloud.liesBehind() || !findRays(cloud).known ? Origin::elsewhere : Origin::camera;
-  }
-  if (const auto camera = findCamera(cloud)) return isAtOrigin(*camera, cloud) ? Origin::camera : Origin::elsewhere;
-  return cloud.valid_count < kMost * static_cast<double>(cloud.size()) ? Origin::elsewhere : Origin::unknown;
-}
 
 std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
   constexpr double kLargestMisfit = 1.0 / 3.0, kLargestOfLists = 0.1;  // px; of pixels found from an order .3 is chance
@@ -218,6 +201,28 @@ std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
   const double most = kNearlyAll * static_cast<double>(countElsewhere(cloud_from_camera.translation(), seen));
   if (static_cast<double>(trusted.size()) < most) return std::nullopt;
   return cloud_from_camera;
+}
+
+bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) {
+  const double most = cloud.organized() ? 0.003 : 0.01;  // m and rad
+  const Eigen::Matrix3d axes = cloud_from_camera.linear();
+  const double turn = cloud.organized() ? Eigen::AngleAxisd(axes).angle() : std::acos(std::min(1.0, axes(2, 2)));
+  return cloud_from_camera.translation().norm() <= most && turn <= most;
+}
+
+CameraSearch searchForCamera(const Cloud& cut, const std::function<const Cloud&()>& whole) {
+  constexpr double kLeft = 0.5;
+  const auto answer = [](const std::optional<Eigen::Isometry3d>& camera, const Cloud& cloud) {
+    if (!camera) return CameraSearch();
+    return isAtOrigin(*camera, cloud) ? CameraSearch{true, std::nullopt} : CameraSearch{false, camera};
+  };
+  if (cut.organized()) {
+    if (!cut.liesBehind() && findRays(cut).known) return {true, std::nullopt};
+  } else if (cut.valid_count >= kLeft * static_cast<double>(cut.size())) {
+    return answer(findCamera(cut), cut);
+  }
+  const Cloud& all = whole();
+  return answer(findCamera(all), all);
 }
 
 }  // namespace primitect

@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "core/lattice.h"
+#include "core/image_rays.h"
 #include "core/pixel_ring.h"
 #include "core/random.h"
 
@@ -170,20 +169,21 @@ ProjectedImage::Grid ProjectedImage::gridOn(const Lattice& across, const Lattice
           first(down, view.bottom) - top + 1.0};
 }
 
-/// Each pixel holds one point, if any: points that only seem to lie on a lattice share some, or lie far apart.
+/// Points that share pixels may be of several frames of one camera; of what another camera saw some hide others.
 bool ProjectedImage::makeExact(const Cloud& cloud, const Grid& grid) {
-  constexpr double kNearlyAll = 0.98, kLongest = 4.5;  // as of an image that lost three of four rows
-  const double longer = grid.height / grid.width;
-  if (longer > kLongest || longer < 1.0 / kLongest) return false;
+  constexpr double kAlone = 0.98;
+  if (!isOfPixels(grid.height / grid.width)) return false;
   project(cloud, grid);
-  return image_.valid_count >= kNearlyAll * cloud.valid_count && !isSparse(image_);
+  if (isSparse(image_)) return false;
+  const bool alone = image_.valid_count >= kAlone * cloud.valid_count;
+  return alone || !hidesMany(cloud, static_cast<float>(std::sqrt(grid.width * grid.height)));
 }
 
 bool ProjectedImage::make(const Cloud& cloud) {
   constexpr double kLeastKept = 0.5, kMore = 1.2;  // of the points with different rays; times as before
   constexpr int kTimes = 5;
   constexpr float kWidest = 2.0f;  // tangent: beyond it no camera sees
-  seen_from_origin_ = true, exact_ = false;
+  seen_from_origin_ = true, exact_ = false, points_ = cloud.valid_count;
   if (cloud.valid_count == 0 || (cloud.organized() && !isSparse(cloud))) return false;
   u_.resize(cloud.size()), v_.resize(cloud.size());
   View view = kernels::loops().tangents(cloud.x.data(), cloud.y.data(), cloud.z.data(), cloud.size(), kWidest,

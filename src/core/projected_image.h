@@ -25,21 +25,22 @@ class ProjectedImage {
   /// Of points that the image does not hold the place of: missing ones, and a few far aside or where no camera sees.
   static constexpr std::uint32_t kNoPixel = kernels::kNoPixel;
 
-  /// The pixels of the camera, where the points lie on the lattice of its rays. Else as large as the points are apart,
-  /// smaller where much of the view is empty; points that share their rays,
-  /// like those of several frames, count once. Of two points in a pixel the image holds the nearer one, or of one
-  /// surface either. False when the cloud is an image that is not sparse, when more than a few points lie beside or
-  /// behind the sensor or along a line, when no reasonable size of the pixels keeps half of the points, or when it was
-  /// not seen from the origin.
+  /// Pixels are those of the camera, where the points lie on the lattice of its rays. Else they are as large as the
+  /// points are apart, smaller where much of the view is empty; points that share their rays, like those of several
+  /// frames, count once. Of two points in a pixel the image holds the nearer one, or of one surface either. False when
+  /// the cloud is an image that is not sparse, when more than a few points lie beside or behind the sensor or along a
+  /// line, when no reasonable size of the pixels keeps half of the points, or when it was not seen from the origin.
   bool make(const Cloud& cloud);
 
-  /// Of the last make(). True: pixels are those of the camera, and hold all points, but for strays.
+  /// Of the last make(). True: pixels are those of the camera.
   bool isExact() const { return exact_; }
 
   /// Of the last make(). False: more points hide each other, or lie aside, than a sensor at the origin would have seen.
   bool seenFromOrigin() const { return seen_from_origin_; }
 
   const Cloud& image() const { return image_; }
+  /// Of the cloud, without missing ones.
+  std::size_t pointCount() const { return points_; }
   /// Of each point of the cloud.
   const List<std::uint32_t>& pixel() const { return pixel_; }
   /// How many points of the cloud lie in pixels with each of the labels 1, 2, ..., most.
@@ -61,6 +62,7 @@ class ProjectedImage {
   Cloud image_;
   List<float> u_, v_;  // of all points
   List<std::uint32_t> pixel_;
+  std::size_t points_ = 0;
   bool seen_from_origin_ = true, exact_ = false;
 };
 

@@ -142,7 +142,7 @@ std::uint32_t Detector::Workspace::addPart(const Shape& shape, std::size_t of) {
 List<std::size_t> Detector::Workspace::countPoints(const List<LabelRun>& runs) const {
   const std::size_t most = result.items.size();
   List<std::size_t> all(most, 0);
-  if (arrangement.isApproximate()) {  // a pixel may hold several points of the cloud
+  if (arrangement.projected() && !arrangement.holdsAllPoints()) {  // a pixel may hold several points of the cloud
     all = arrangement.projected()->pointsOfLabels(labels, most);
   } else {
     for (const LabelRun& run : runs) {
@@ -223,8 +223,7 @@ void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const 
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
-  // Where the border of the image was a list does not tell, and pixels of one that is only like the camera's are not
-  // where its were.
+  // A list does not tell where the border of the image was.
   const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
   findPoints(whole, rays);
   const Cloud& cloud = thinned.cloud();

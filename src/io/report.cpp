@@ -96,7 +96,7 @@ Json sensorJson(const FileReport& report) {
   Json json;
   json["position"] = vectorJson(report.sensor->position);
   json["orientation"] = Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
-  json["from"] = report.found_sensor ? "image" : "option";
+  json["from"] = !report.found_sensor ? "option" : report.found_by_order ? "order" : "image";
   return json;
 }
 

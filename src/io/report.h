@@ -25,6 +25,7 @@ struct FileReport {
   Detections detections;
   std::optional<SensorPose> sensor;  ///< where it is not at the origin along z
   bool found_sensor = false;         ///< the image tells it, or the order of a list
+  bool found_by_order = false;       ///< the latter
   std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
   Timing timing_ms;                  ///< with several runs: the medians
   int repeats = 1;

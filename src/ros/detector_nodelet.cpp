@@ -5,6 +5,8 @@
 
 #include <tf2/exceptions.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
@@ -178,7 +180,11 @@ void DetectorNodelet::tellFoundCamera() {
   const Eigen::Isometry3d& camera = *pipeline().foundCamera();
   const std::string& frame = sequence_->sensorHeader().frame_id;
   constexpr double kTurned = 0.3;  // rad: more than from one optical frame of a camera to another of its own
-  if (frame.find("optical") != std::string::npos && Eigen::AngleAxisd(camera.linear()).angle() > kTurned) {
+  // Lists do not tell which side of their image is up.
+  const Eigen::Matrix3d axes = camera.linear();
+  const double turn =
+      pipeline().isFoundByOrder() ? std::acos(std::min(1.0, axes(2, 2))) : Eigen::AngleAxisd(axes).angle();
+  if (frame.find("optical") != std::string::npos && turn > kTurned) {
     NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are said to be in '" << frame
                                   << "', but their axes are not those of an optical frame (z ahead, x right, y down): "
                                   << "what tf makes of them, as in target_frame, is turned");

@@ -80,22 +80,23 @@ void FramePipeline::published() {
   if (governor_ && status_ == Status::ok) governor_->endFrame(times_.elapsed());
 }
 
-/// Leaves the cloud before its camera, cut, where it is an image that was moved.
+/// Leaves the cloud before its camera, cut, where it is an image, or a list of its points, that was moved.
 void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
-  const Origin origin = originOf(cloud_);
-  origin_is_camera_ = origin == Origin::camera;
-  if (origin != Origin::elsewhere) return;
   const DepthRange range = depthRangeOf(params());
-  // What was cut off was so along the wrong axis; that it can be read is known.
-  readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_);
-  cloud_from_found_camera_ = findCamera(cloud_);
-  if (cloud_from_found_camera_ && isAtOrigin(*cloud_from_found_camera_, cloud_)) {
-    cloud_from_found_camera_.reset();
-    origin_is_camera_ = true;
-  }
+  bool is_whole = false;
+  const auto whole = [&]() -> const Cloud& {
+    // What was cut off was so along the wrong axis; that it can be read is known.
+    if (!is_whole) readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_);
+    is_whole = true;
+    return cloud_;
+  };
+  const CameraSearch found = searchForCamera(cloud_, whole);
+  origin_is_camera_ = found.at_origin;
+  cloud_from_found_camera_ = found.cloud_from_camera;
   if (cloud_from_found_camera_) {
+    whole();
     cloud_.move(cloud_from_found_camera_->inverse(), range);
-  } else {
+  } else if (is_whole) {
     readCloud(message, range, {params().use_cloud_normals, with_labels}, cloud_);
   }
 }

@@ -21,7 +21,7 @@ namespace primitect::ros_layer {
 
 /// Of a cloud that comes without a transform.
 enum class CameraPlace {
-  from_image,  ///< at the origin, or where rows and columns of an image tell
+  from_image,  ///< at the origin, or where rows and columns of an image tell, or the order of a list
   said         ///< at the origin
 };
 

@@ -19,15 +19,11 @@ void moveToSensor(const io::SensorPose& sensor, DetectInput& input) {
 
 /// What a node does with an image, or a list of its points, that was moved to another frame.
 void moveToFoundCamera(DetectInput& input) {
-  input.origin = originOf(input.cloud);
-  if (input.origin != Origin::elsewhere) return;
-  const auto points_from_camera = findCamera(input.file.cloud);
-  if (!points_from_camera) return;
-  if (isAtOrigin(*points_from_camera, input.file.cloud)) {
-    input.origin = Origin::camera;
-    return;
-  }
-  input.sensor = io::SensorPose{points_from_camera->translation(), Eigen::Quaterniond(points_from_camera->linear())};
+  const CameraSearch found = searchForCamera(input.cloud, [&input]() -> const Cloud& { return input.file.cloud; });
+  input.sensor_at_origin = found.at_origin;
+  if (!found.cloud_from_camera) return;
+  const Eigen::Isometry3d& pose = *found.cloud_from_camera;
+  input.sensor = io::SensorPose{pose.translation(), Eigen::Quaterniond(pose.linear())};
   input.found_sensor = true;
   moveToSensor(*input.sensor, input);
 }

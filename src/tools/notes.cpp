@@ -78,7 +78,7 @@ std::string beyondText(const DetectInput& input) {
 /// stay as they are.
 std::string assumedOriginText(const Detections& found, const DetectInput& input) {
   const bool assumed = found.seen_from_origin && !input.sensor && !input.seen().liesBehind();
-  if (!assumed || input.cloud.organized() || input.cloud.hasNormals() || input.origin == Origin::camera) return "";
+  if (!assumed || input.cloud.organized() || input.cloud.hasNormals() || input.sensor_at_origin) return "";
   return "  note: a list of points without normals is taken for seen from its origin along z; --sensor says where else "
          "the camera was\n";
 }

@@ -49,24 +49,35 @@ TEST(FindCamera, FromATableInAnyFrame) {
   }
 }
 
-TEST(MovedImage, IsNoneInTheFrameOfItsCamera) {
+CameraSearch searchIn(const Cloud& cut, const Cloud& whole) {
+  return searchForCamera(cut, [&whole]() -> const Cloud& { return whole; });
+}
+
+TEST(SearchForCamera, IsSparedInTheFrameOfTheCamera) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     for (const Eigen::Isometry3d& pose : poses()) {
-      const Origin origin = pose.matrix().isIdentity() ? Origin::camera : Origin::elsewhere;
-      EXPECT_EQ(originOf(moved(table(seed), pose)), origin) << seed;
+      const Cloud cloud = moved(table(seed), pose);
+      const bool at_origin = pose.matrix().isIdentity();
+      bool asked = false;
+      const CameraSearch found = searchForCamera(cloud, [&]() -> const Cloud& {
+        asked = true;
+        return cloud;
+      });
+      EXPECT_EQ(found.at_origin, at_origin) << seed;
+      EXPECT_EQ(found.cloud_from_camera.has_value(), !at_origin) << seed;
+      EXPECT_EQ(asked, !at_origin) << seed;
     }
   }
 }
 
-TEST(MovedImage, IsOneThatWasMovedALittleOrOutOfTheRange) {
+TEST(SearchForCamera, FindsOneThatWasMovedALittleOrOutOfTheRange) {
   Eigen::Isometry3d beside = Eigen::Isometry3d::Identity();
   beside.translate(Vec3(0.015, 0, 0));
   for (const Eigen::Isometry3d& pose : {beside, synthetic::robotFromCamera(0.3, 0.9)}) {
     Cloud cut = table(1);
     cut.move(pose, {0.1f, 2.0f});
-    EXPECT_EQ(originOf(cut), Origin::elsewhere) << pose.translation().transpose();
-    const auto found = findCamera(moved(table(1), pose));
-    ASSERT_TRUE(found);
+    const auto found = searchIn(cut, moved(table(1), pose)).cloud_from_camera;
+    ASSERT_TRUE(found) << pose.translation().transpose();
     EXPECT_LT((found->translation() - pose.translation()).norm(), 0.002);
   }
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,17 +98,38 @@ TEST(FindCameraOfAList, WhicheverWayColumnsAndRowsRun) {
     ASSERT_TRUE(found);
     EXPECT_LT((found->translation() - kRobotFromCamera.translation()).norm(), 0.002);
     EXPECT_NEAR(found->linear().col(2).dot(kRobotFromCamera.linear().col(2)), 1.0, 1e-6) << "it looks ahead";
-    EXPECT_TRUE(isAtOrigin(*findCamera(listOf(points, Eigen::Isometry3d::Identity())), listOf(points)));
+    const auto at_origin = findCamera(listOf(points, Eigen::Isometry3d::Identity()));
+    ASSERT_TRUE(at_origin);
+    EXPECT_TRUE(isAtOrigin(*at_origin, listOf(points)));
   }
 }
 
 TEST(FindCameraOfAList, WhateverAFewStraysSay) {
   Random random(3);
-  std::vector<Vec3> points = pointsOf(table(1));
-  for (Vec3& point : points) {
+  std::vector<Vec3> aside = pointsOf(table(1)), at_camera = aside;
+  for (Vec3& point : aside) {
     if (random.uniform() < 0.02) point.x() += 0.2 * random.gaussian();
   }
-  expectFound(points, kRobotFromCamera, "strays");
+  for (Vec3& point : at_camera) {
+    // As points of which nothing was measured, at (0, 0, 0), that were moved with the others.
+    if (random.uniform() < 0.03) point = Vec3::Zero();
+  }
+  expectFound(aside, kRobotFromCamera, "aside");
+  expectFound(at_camera, kRobotFromCamera, "at the camera");
+}
+
+TEST(FindCameraOfAList, WherePointsAreMissingInTheList) {
+  std::vector<Vec3> points = pointsOf(table(2));
+  Cloud list = listOf(points);
+  Random random(4);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (random.uniform() < 0.1 || i % 3000 < 700) list.x[i] = list.y[i] = list.z[i] = none;
+  }
+  list.countPoints();
+  const auto found = findCamera(list);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->translation() - kRobotFromCamera.translation()).norm(), 0.002);
 }
 
 /// Means of the points in cubes, in the order of these.
@@ -144,10 +167,17 @@ TEST(FindCameraOfAList, NotWithoutTheOrderOfTheImage) {
 }
 
 TEST(FindCameraOfAList, NotOfTwoCameras) {
-  std::vector<Vec3> points = pointsOf(table(1));
-  const Eigen::Isometry3d first_from_second = synthetic::robotFromCamera(0.5, 0.2);
-  for (const Vec3& point : pointsOf(table(2))) points.push_back(first_from_second * point);
-  EXPECT_FALSE(findCamera(listOf(points)));
+  const std::vector<Vec3> first = pointsOf(table(1)), second = pointsOf(table(2));
+  const Eigen::Isometry3d to_the_back = Eigen::Translation3d(0.0, 0.0, -0.2) * Eigen::AngleAxisd(M_PI, Vec3::UnitY());
+  for (const Eigen::Isometry3d& first_from_second : {synthetic::robotFromCamera(0.5, 0.2), to_the_back}) {
+    for (const double share : {1.0, 0.5, 0.2}) {
+      std::vector<Vec3> both = first;
+      const auto end = second.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(second.size()));
+      std::transform(second.begin(), end, std::back_inserter(both),
+                     [&](const Vec3& point) { return Vec3(first_from_second * point); });
+      EXPECT_FALSE(findCamera(listOf(both))) << share;
+    }
+  }
 }
 
 TEST(FindCameraOfAList, NotOfALaserScannerNorOfChance) {
@@ -172,6 +202,7 @@ TEST(FindCameraOfAList, NotOfALaserScannerNorOfChance) {
 
 TEST(FindCameraOfAList, NotOfFewPointsOrOnesInOnePlaceOrOnALine) {
   EXPECT_FALSE(findCamera(Cloud()));
+  EXPECT_TRUE(findPixels(Cloud()).empty());
   for (const int count : {1, 3, 60, 2000}) {
     std::vector<Vec3> line;
     for (int k = 0; k < count; ++k) line.push_back(Vec3(0.001 * k, 0.002 * k, 1.0));
@@ -180,23 +211,41 @@ TEST(FindCameraOfAList, NotOfFewPointsOrOnesInOnePlaceOrOnALine) {
   }
 }
 
-TEST(OriginOfAList, IsTheCameraOrElsewhereWhereItsOrderTells) {
+CameraSearch searchIn(const Cloud& cut, const Cloud& whole, int* asked = nullptr) {
+  return searchForCamera(cut, [&whole, asked]() -> const Cloud& {
+    if (asked) ++*asked;
+    return whole;
+  });
+}
+
+TEST(SearchForCameraOfAList, FindsItWhereItsOrderTells) {
   const std::vector<Vec3> points = pointsOf(table(3));
-  EXPECT_EQ(originOf(listOf(points, Eigen::Isometry3d::Identity())), Origin::camera);
-  EXPECT_EQ(originOf(listOf(points)), Origin::elsewhere);
+  const Cloud of_camera = listOf(points, Eigen::Isometry3d::Identity()), moved = listOf(points);
+  int asked = 0;
+  EXPECT_TRUE(searchIn(of_camera, of_camera, &asked).at_origin);
+  const CameraSearch found = searchIn(moved, moved, &asked);
+  EXPECT_FALSE(found.at_origin);
+  EXPECT_TRUE(found.cloud_from_camera);
   std::vector<Vec3> shuffled = points;
   Random random(1);
   for (std::size_t i = shuffled.size() - 1; i > 0; --i) std::swap(shuffled[i], shuffled[random.below(i + 1)]);
-  EXPECT_EQ(originOf(listOf(shuffled)), Origin::unknown);
+  const CameraSearch none = searchIn(listOf(shuffled), listOf(shuffled), &asked);
+  EXPECT_FALSE(none.at_origin);
+  EXPECT_FALSE(none.cloud_from_camera);
+  EXPECT_EQ(asked, 0) << "nothing was cut off";
 }
 
-TEST(OriginOfAList, IsElsewhereWhereMostOfItWasCutOff) {
-  // In the frame of a camera that hangs above: nothing of what it sees is in front of the origin.
-  std::vector<Vec3> points = pointsOf(table(3));
-  Cloud cut = listOf(points, synthetic::robotFromCamera(0.3, 0.9));
+TEST(SearchForCameraOfAList, LooksAtAllOfItWhereMostWasCutOff) {
+  const Eigen::Isometry3d pose = synthetic::robotFromCamera(0.3, 0.9);
+  const Cloud whole = listOf(pointsOf(table(3)), pose);
+  Cloud cut = whole;
   cut.move(Eigen::Isometry3d::Identity(), {0.1f, 2.0f});
   ASSERT_LT(cut.valid_count, cut.size() / 2);
-  EXPECT_EQ(originOf(cut), Origin::elsewhere);
+  int asked = 0;
+  const CameraSearch found = searchIn(cut, whole, &asked);
+  ASSERT_TRUE(found.cloud_from_camera);
+  EXPECT_LT((found.cloud_from_camera->translation() - pose.translation()).norm(), 0.002);
+  EXPECT_EQ(asked, 1);
 }
 
 /// Columns and rows are whole numbers, and those of the image but for where they begin.

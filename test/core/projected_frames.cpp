@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -99,6 +100,20 @@ TEST(ProjectedFrame, HasPixelsOfItsOwnWhereThePointsLieBesideTheRays) {
   }
   ProjectedImage projected;
   ASSERT_TRUE(projected.make(unorganized(points)));
+  EXPECT_FALSE(projected.isExact());
+}
+
+/// On the lattice: pixels hold two points each, or most hold none.
+TEST(ProjectedFrame, HasThePixelsOfTheCameraForTwoOfItsFramesButNotForFewPoints) {
+  std::vector<Eigen::Vector3f> both = pointsOf(kScene.image(1)), few;
+  Random random(4);
+  std::copy_if(both.begin(), both.end(), std::back_inserter(few), [&](const auto&) { return random.uniform() < 0.25; });
+  for (const Eigen::Vector3f& point : pointsOf(kScene.image(2))) both.push_back(point);
+  ProjectedImage projected;
+  ASSERT_TRUE(projected.make(unorganized(both)));
+  EXPECT_TRUE(projected.isExact());
+  EXPECT_EQ(projected.image().valid_count, both.size() / 2);
+  ASSERT_TRUE(projected.make(unorganized(few)));
   EXPECT_FALSE(projected.isExact());
 }
 

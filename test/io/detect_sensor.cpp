@@ -132,7 +132,7 @@ TEST_F(DetectSensor, WithoutItTheOrderOfAListTellsIt) {
             std::string::npos)
       << out;
   const Json found = runOrdered(list), told = runOrdered(list + sensor);
-  EXPECT_EQ(found["sensor"]["from"], "image");
+  EXPECT_EQ(found["sensor"]["from"], "order");
   EXPECT_GE(told["primitives"].size(), 2u);
   EXPECT_LT((vectorOf(found["sensor"]["position"]) - kRobotFromCamera.translation()).norm(), 0.005);
   ASSERT_EQ(found["primitives"].size(), told["primitives"].size());

@@ -193,6 +193,25 @@ TEST(PointLoops, GiveTheSameBitsWithEveryInstructionSet) {
   }
 }
 
+TEST(PixelsAt, AreTheSameWithEveryInstructionSet) {
+  Random random(7);
+  const PixelGrid grid = {-0.4871f, -0.3613f, 1.0f / 0.001753f, 1.0f / 0.001749f, 557, 413};
+  std::vector<float> u, v;
+  for (int k = 0; k < 5000; ++k) {
+    // Many on the edges of pixels.
+    u.push_back(grid.left + 0.001753f * static_cast<float>(random.below(560)));
+    v.push_back(grid.top + 0.001749f * static_cast<float>(random.uniform(0.0, 415.0)));
+  }
+  std::vector<std::uint32_t> expected;
+  for (const Loops* table : allLoops()) {
+    std::vector<std::uint32_t> pixel(u.size());
+    table->pixelsAt(grid, u.data(), v.data(), u.size(), pixel.data());
+    if (expected.empty()) expected = pixel;
+    EXPECT_EQ(pixel, expected) << table->name;
+  }
+  EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](std::uint32_t p) { return p != kNoPixel; }), 4900);
+}
+
 /// Behind the sensor, far aside, and missing ones among them.
 Points someUnseen(std::size_t count) {
   Points p(count);
@@ -224,7 +243,11 @@ TEST(Tangents, AreThoseOfWhatACameraSees) {
         top = std::min(top, down), bottom = std::max(bottom, down);
       }
       EXPECT_EQ(view.seen, seen) << table->name;
-      if (seen == 0) continue;
+      if (seen == 0) {
+        EXPECT_EQ(view.left, std::numeric_limits<float>::infinity());
+        EXPECT_EQ(view.bottom, -std::numeric_limits<float>::infinity());
+        continue;
+      }
       EXPECT_EQ(view.left, left) << table->name;
       EXPECT_EQ(view.right, right) << table->name;
       EXPECT_EQ(view.top, top) << table->name;

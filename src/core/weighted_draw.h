@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws what tells much more often than what tells little, as for fits of a few equations to some of many.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/random.h"
+
+namespace primitect {
+
+/// Always the same draws.
+class WeightedDraw {
+ public:
+  /// tells: of each, how much it tells, in any unit, and less than 0 or not finite: nothing. At least one. What tells
+  /// more than most counts for little more than these.
+  explicit WeightedDraw(std::vector<double> tells) : weights_(std::move(tells)) {
+    for (double& weight : weights_) weight = std::isfinite(weight) && weight > 0.0 ? weight : 0.0;
+    const double usual = usualOf(weights_);
+    for (double& weight : weights_) {
+      weight = usual > 0.0 ? weight / (weight + usual) : 1.0;
+      sums_.push_back((sums_.empty() ? 0.0 : sums_.back()) + weight);
+    }
+  }
+
+  /// Index of one.
+  std::size_t next() {
+    const auto found = std::upper_bound(sums_.begin(), sums_.end(), random_.uniform() * sums_.back());
+    return std::min(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
+  }
+
+  /// Of all that is told, the share that those tell whose index agrees.
+  template <class Agrees>
+  double share(const Agrees& agrees) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) sum += agrees(i) ? weights_[i] : 0.0;
+    return sum / sums_.back();
+  }
+
+ private:
+  /// Twice what the middle one tells, which a few that tell any number do not change; where most tell nothing, the
+  /// mean.
+  static double usualOf(std::vector<double> tells) {
+    constexpr double kMore = 2.0;
+    double mean = 0.0;
+    for (const double each : tells) mean += each / static_cast<double>(tells.size());
+    const auto middle = tells.begin() + static_cast<std::ptrdiff_t>(tells.size() / 2);
+    std::nth_element(tells.begin(), middle, tells.end());
+    return *middle > 0.0 ? kMore * *middle : mean;
+  }
+
+  Random random_{1};
+  std::vector<double> weights_, sums_;
+};
+
+}  // namespace primitect
