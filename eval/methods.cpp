@@ -81,7 +81,7 @@ class Search {
 
   const Detections& detect(const Cloud& cloud, bool from_camera) {
     if (!from_camera || cloud.organized()) return detector_.detect(cloud);
-    const CameraSearch found = searchForCamera(cloud, [&cloud]() -> const Cloud& { return cloud; });
+    const CameraSearch found = searchForCamera(cloud);
     if (!found.cloud_from_camera) return detector_.detect(cloud);
     moved_ = cloud;
     moved_.move(found.cloud_from_camera->inverse(), DepthRange());

@@ -112,10 +112,9 @@ def test_a_call_asks_for_all_of_its_recipe():
         return measure.command_of("compare", plan.Call(plan.Recipe("tabletop", **unusual), 1, 1, ("default",), 1, 1.0))
     usual = arguments()
     for unusual, wanted in (({"shuffle": True}, ["--shuffle"]), ({"robot_frame": True}, ["--robot-frame"]),
-                            ({"listed": True}, ["--list"]), ({"uneven": 3.0}, ["--uneven", "3.0"]),
-                            ({"voxel": 0.005}, ["--voxel", "0.005"]),
-                            ({"noise_grain": 5}, ["--noise-grain", "5"]), ({"sensor": "stereo"}, ["--sensor", "stereo"]),
-                            ({"blots": 0.2}, ["--blots", "0.2"])):
+                            ({"listed": True}, ["--list"]), ({"voxel": 0.005}, ["--voxel", "0.005"]),
+                            ({"uneven": 3.0}, ["--uneven", "3.0"]), ({"noise_grain": 5}, ["--noise-grain", "5"]),
+                            ({"sensor": "stereo"}, ["--sensor", "stereo"]), ({"blots": 0.2}, ["--blots", "0.2"])):
         assert [text for text in arguments(**unusual) if text not in usual] == wanted, unusual
 
 

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <functional>
 #include <optional>
 
 #include "primitect/cloud.h"
@@ -33,10 +32,12 @@ struct CameraSearch {
   std::optional<Eigen::Isometry3d> cloud_from_camera;  ///< it is elsewhere
 };
 
-/// Looks for the camera of a cloud in which depths were cut along z, perhaps of the wrong frame. An image is not looked
-/// at further where it is what a pinhole camera at the origin sees along z, by its rows and columns. Else findCamera()
-/// is asked, of a list with what the cut left, if it left half. whole(): the same cloud with nothing cut off, called at
-/// most once; `cut` is not used any more then.
-CameraSearch searchForCamera(const Cloud& cut, const std::function<const Cloud&()>& whole);
+/// With findCamera(), of a cloud in which nothing was cut off.
+CameraSearch searchForCamera(const Cloud& whole);
+
+/// Of a cloud in which depths were cut along z, perhaps of the wrong frame. An image is not looked at further where it
+/// is what a pinhole camera at the origin sees along z, by its rows and columns; of a list findCamera() looks at what
+/// the cut left, if it left half. Nothing: the cloud must be looked at with nothing cut off.
+std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut);
 
 }  // namespace primitect

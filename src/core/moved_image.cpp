@@ -210,19 +210,20 @@ bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) 
   return cloud_from_camera.translation().norm() <= most && turn <= most;
 }
 
-CameraSearch searchForCamera(const Cloud& cut, const std::function<const Cloud&()>& whole) {
+CameraSearch searchForCamera(const Cloud& whole) {
+  const std::optional<Eigen::Isometry3d> camera = findCamera(whole);
+  if (!camera) return {};
+  return isAtOrigin(*camera, whole) ? CameraSearch{true, std::nullopt} : CameraSearch{false, camera};
+}
+
+std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut) {
   constexpr double kLeft = 0.5;
-  const auto answer = [](const std::optional<Eigen::Isometry3d>& camera, const Cloud& cloud) {
-    if (!camera) return CameraSearch();
-    return isAtOrigin(*camera, cloud) ? CameraSearch{true, std::nullopt} : CameraSearch{false, camera};
-  };
   if (cut.organized()) {
-    if (!cut.liesBehind() && findRays(cut).known) return {true, std::nullopt};
-  } else if (cut.valid_count >= kLeft * static_cast<double>(cut.size())) {
-    return answer(findCamera(cut), cut);
+    const bool at_origin = !cut.liesBehind() && findRays(cut).known;
+    return at_origin ? std::optional(CameraSearch{true, std::nullopt}) : std::nullopt;
   }
-  const Cloud& all = whole();
-  return answer(findCamera(all), all);
+  const bool enough = cut.valid_count >= kLeft * static_cast<double>(cut.size());
+  return enough ? std::optional(searchForCamera(cut)) : std::nullopt;
 }
 
 }  // namespace primitect

@@ -83,20 +83,20 @@ void FramePipeline::published() {
 /// Leaves the cloud before its camera, cut, where it is an image, or a list of its points, that was moved.
 void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool with_labels) {
   const DepthRange range = depthRangeOf(params());
-  bool is_whole = false;
-  const auto whole = [&]() -> const Cloud& {
-    // What was cut off was so along the wrong axis; that it can be read is known.
-    if (!is_whole) readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_);
-    is_whole = true;
-    return cloud_;
-  };
-  const CameraSearch found = searchForCamera(cloud_, whole);
-  origin_is_camera_ = found.at_origin;
-  cloud_from_found_camera_ = found.cloud_from_camera;
+  // What was cut off may be so along the wrong axis; that it can be read is known.
+  const auto readWhole = [&] { readCloud(message, DepthRange(), {params().use_cloud_normals, true}, cloud_); };
+  std::optional<CameraSearch> found = searchForCameraInCut(cloud_);
+  const bool cut_tells = found.has_value();
+  if (!cut_tells) {
+    readWhole();
+    found = searchForCamera(cloud_);
+  }
+  origin_is_camera_ = found->at_origin;
+  cloud_from_found_camera_ = found->cloud_from_camera;
   if (cloud_from_found_camera_) {
-    whole();
+    if (cut_tells) readWhole();
     cloud_.move(cloud_from_found_camera_->inverse(), range);
-  } else if (is_whole) {
+  } else if (!cut_tells) {
     readCloud(message, range, {params().use_cloud_normals, with_labels}, cloud_);
   }
 }

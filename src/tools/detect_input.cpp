@@ -19,7 +19,8 @@ void moveToSensor(const io::SensorPose& sensor, DetectInput& input) {
 
 /// What a node does with an image, or a list of its points, that was moved to another frame.
 void moveToFoundCamera(DetectInput& input) {
-  const CameraSearch found = searchForCamera(input.cloud, [&input]() -> const Cloud& { return input.file.cloud; });
+  const std::optional<CameraSearch> in_cut = searchForCameraInCut(input.cloud);
+  const CameraSearch found = in_cut ? *in_cut : searchForCamera(input.file.cloud);
   input.sensor_at_origin = found.at_origin;
   if (!found.cloud_from_camera) return;
   const Eigen::Isometry3d& pose = *found.cloud_from_camera;
