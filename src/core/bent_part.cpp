@@ -26,7 +26,7 @@ double outside(const Vec3& point, const Extent& extent) {
 
 }  // namespace
 
-bool isBentPart(const Detection& part, const Detection& whole, const NoiseModel& noise) {
+bool isBentPart(const Detection& part, const Detection& whole, const NoiseModel& noise, std::uint8_t cut_off) {
   constexpr double kLarger = 4.0;  // times the points
   constexpr double kLeastTilt = 3.5 * M_PI / 180.0,
                    kMostTilt = 10.0 * M_PI / 180.0;  // what lies flat on it is not tilted
@@ -34,7 +34,7 @@ bool isBentPart(const Detection& part, const Detection& whole, const NoiseModel&
   constexpr double kBeside = 0.01;                   // m
   const Plane *const small = std::get_if<Plane>(&part.shape), *const large = std::get_if<Plane>(&whole.shape);
   if (!small || !large || !(whole.inlier_count >= kLarger * part.inlier_count)) return false;
-  if (!(part.truncated & kTruncatedByImage)) return false;
+  if (!(part.truncated & cut_off)) return false;
   const double cosine = std::abs(small->normal.dot(large->normal));
   if (!(std::cos(kMostTilt) <= cosine && cosine <= std::cos(kLeastTilt))) return false;
   bool begins_there = false;

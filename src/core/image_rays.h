@@ -16,6 +16,7 @@ struct ImageRays {
   bool seen_from_origin = true;
   double misfit = 0.0;  ///< px, root mean square
   double x_offset = 0.0, x_scale = 0.0, y_offset = 0.0, y_scale = 0.0;
+  bool border_known = true;  ///< false: of a list's image, which ends where the list does
   int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  ///< less the sensor's margin
 
   /// Through a pixel, with z = 1: times a depth it is the point (m).

@@ -70,18 +70,45 @@ std::vector<ColumnStep> columnSteps(const OnAxis& frame, const std::vector<RowPa
   return steps;
 }
 
-/// From three steps of one column, the best of several draws. Steps at one distance from the axis tell no centre.
-std::optional<Columns> drawColumns(const std::vector<ColumnStep>& steps) {
-  constexpr int kDraws = 400;
-  constexpr double kNearlyAll = 0.97, kLeast = 0.6;
+/// How well columns explain steps: of all that steps tell, the share of those that are whole, and the sum of that over
+/// how many columns they lead. Depths that are rounded to whole disparities, as structured light does, are whole from
+/// other centres on the axis, too, 1.2 m away for some cameras; but only from the right one most steps are of one
+/// column.
+struct Agreement {
+  double whole = 0.0, single = 0.0;
+};
+
+Agreement agreementOf(const Columns& columns, const std::vector<ColumnStep>& steps, const WeightedDraw& draw) {
   // px: steps on a wall or a table look nearly whole from other places, too, and from all if they were long enough.
   constexpr double kNearer = 0.03, kFarthest = 8.5;
+  Agreement agreement;
+  draw.forEach([&](std::size_t i, double share) {
+    const double number = std::abs(steps[i].columns(columns));
+    if (!isWholeAndNotZero(number, kNearer) || !(number < kFarthest)) return;
+    agreement.whole += share;
+    agreement.single += share / std::round(number);
+  });
+  return agreement;
+}
+
+/// The middle of the points, at 0 and so far from the axis, is in view, and columns are as wide as those of cameras.
+bool mayBeOfACamera(const Columns& columns, double distance) {
+  constexpr double kWidest = 2.0;                             // tangent: beyond it no camera sees
+  constexpr double kNarrowColumn = 1e-5, kWideColumn = 0.03;  // tangents
+  const double width = columns.width.norm();
+  return std::abs(columns.centre) < kWidest * distance && width > kNarrowColumn && width < kWideColumn;
+}
+
+/// From three steps of one column, the best of several draws. Steps at one distance from the axis tell no centre.
+std::optional<Columns> drawColumns(const std::vector<ColumnStep>& steps, double distance) {
+  constexpr int kDraws = 400;
+  constexpr double kSurely = 0.99, kMostlySingle = 0.85, kLeast = 0.6;
   std::vector<double> tells;
   for (const ColumnStep& step : steps) tells.push_back(std::abs(step.inverse / step.change));
   WeightedDraw draw(std::move(tells));
-  double most = kLeast;
+  Agreement most;
   std::optional<Columns> best;
-  for (int time = 0; time < kDraws && most < kNearlyAll; ++time) {
+  for (int time = 0; time < kDraws && !(most.whole > kSurely && most.single > kMostlySingle); ++time) {
     Eigen::Matrix3d equations;
     Vec3 changes;
     for (int k = 0; k < 3; ++k) {
@@ -91,11 +118,9 @@ std::optional<Columns> drawColumns(const std::vector<ColumnStep>& steps) {
     }
     const Vec3 solved = equations.fullPivLu().solve(changes);
     const Columns columns = {solved[0], solved.tail<2>()};
-    const double agree = draw.share([&](std::size_t i) {
-      const double number = steps[i].columns(columns);
-      return isWholeAndNotZero(number, kNearer) && std::abs(number) < kFarthest;
-    });
-    if (agree > most) most = agree, best = columns;
+    if (!mayBeOfACamera(columns, distance)) continue;
+    const Agreement agreement = agreementOf(columns, steps, draw);
+    if (agreement.whole > kLeast && agreement.single > most.single) most = agreement, best = columns;
   }
   return best;
 }
@@ -125,7 +150,7 @@ std::optional<Columns> findColumns(const PointsOfList& points, const OnAxis& fra
   };
   const std::vector<ColumnStep> next = steps(1);
   if (next.size() < kFewestRowPairs) return std::nullopt;
-  std::optional<Columns> columns = drawColumns(next);
+  std::optional<Columns> columns = drawColumns(next, frame.axis.through.norm());
   for (const std::size_t apart : {1, 8, 64}) {
     const std::vector<ColumnStep> longer = steps(apart);
     for (int time = 0; columns && time < kRefits; ++time) columns = fitColumns(*columns, longer);

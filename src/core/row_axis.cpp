@@ -48,11 +48,18 @@ Vec3 commonDirection(const std::vector<RowPair>& pairs) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums).eigenvectors().col(2);
 }
 
+/// Most pairs from all over the list are of several rows: not so of an axis that lies in the plane of all points.
+bool partsRows(const RowAxis& axis, const std::vector<RowPair>& far_apart, double near) {
+  constexpr double kMost = 0.3;
+  const auto together = static_cast<double>(inOneRow(axis, far_apart, near).size());
+  return together < kMost * static_cast<double>(far_apart.size());
+}
+
 /// From five pairs, the best of several draws. What is parallel to the rows, as of a wall before the camera, tells no
 /// axis.
-std::optional<RowAxis> drawAxis(const std::vector<RowPair>& pairs, double near) {
+std::optional<RowAxis> drawAxis(const std::vector<RowPair>& pairs, const std::vector<RowPair>& far_apart, double near) {
   constexpr int kDraws = 40, kDrawn = 5;
-  constexpr double kNearlyAll = 0.9, kLeast = 0.5;  // of small parts of an image many pairs are of two rows
+  constexpr double kNearlyAll = 0.97, kLeast = 0.5;  // of small parts of an image many pairs are of two rows
   const Vec3 common = commonDirection(pairs);
   std::vector<double> tells;
   for (const RowPair& pair : pairs) tells.push_back((pair.second - pair.first).normalized().cross(common).norm());
@@ -66,13 +73,14 @@ std::optional<RowAxis> drawAxis(const std::vector<RowPair>& pairs, double near) 
     const std::optional<RowAxis> axis = axisOf(qr.householderQ() * Vector6::Unit(kDrawn));
     if (!axis) continue;
     const double agree = draw.share([&](std::size_t i) { return axis->offPlane(pairs[i]) < near; });
-    if (agree > most) most = agree, best = axis;
+    if (agree > most && partsRows(*axis, far_apart, near)) most = agree, best = axis;
   }
   return best;
 }
 
-/// By least squares from those of one row.
+/// By least squares from those of one row; as before where that loses some of them, as of points in a plane it may.
 std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<RowPair>& pairs, double near) {
+  constexpr double kKept = 0.95;
   const std::vector<RowPair> in_row = inOneRow(before, pairs, near);
   if (in_row.size() < kFewestRowPairs) return before;
   Eigen::Matrix<double, 6, 6> sums = Eigen::Matrix<double, 6, 6>::Zero();
@@ -81,7 +89,9 @@ std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<RowPair>
     sums += equation * equation.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(sums);
-  return axisOf(eigen.eigenvectors().col(0));
+  const std::optional<RowAxis> axis = axisOf(eigen.eigenvectors().col(0));
+  const auto least = kKept * static_cast<double>(in_row.size());
+  return axis && static_cast<double>(inOneRow(*axis, in_row, near).size()) >= least ? axis : before;
 }
 
 }  // namespace
@@ -111,6 +121,13 @@ std::vector<RowPair> PointsOfList::pairs(std::size_t apart) const {
   return result;
 }
 
+std::vector<RowPair> PointsOfList::farPairs() const {
+  std::vector<RowPair> result;
+  const std::size_t half = places_.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) result.push_back({at(places_[i]), at(places_[i + half])});
+  return result;
+}
+
 double RowAxis::offPlane(const RowPair& pair) const {
   const Vec3 normal = along.cross(pair.first - through);
   const double length = normal.norm();
@@ -130,7 +147,7 @@ std::optional<RowAxis> findRowAxis(const PointsOfList& points, double near) {
   constexpr int kRefits = 2;
   const std::vector<RowPair> drawn = points.pairs(kDrawn);
   if (drawn.size() < kFewestRowPairs) return std::nullopt;
-  std::optional<RowAxis> axis = drawAxis(drawn, near);
+  std::optional<RowAxis> axis = drawAxis(drawn, points.farPairs(), near);
   for (const std::size_t apart : {4, 16, 64}) {
     const std::vector<RowPair> pairs = points.pairs(apart);
     for (int time = 0; axis && time < kRefits; ++time) axis = fitAxis(*axis, pairs, near);

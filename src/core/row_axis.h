@@ -12,7 +12,7 @@
 
 namespace primitect {
 
-/// Two points of a list, mostly of one row.
+/// Two points of a list, mostly of one row where they are near each other in it.
 struct RowPair {
   Vec3 first, second;
 };
@@ -27,6 +27,8 @@ class PointsOfList {
   Vec3 at(std::size_t place) const { return (list_.point(place) - middle_) / size_; }
   /// Each with the one that follows so many places later, where that is not missing.
   std::vector<RowPair> pairs(std::size_t apart) const;
+  /// Of the first half of the list with one of the second half.
+  std::vector<RowPair> farPairs() const;
 
  private:
   const Cloud& list_;

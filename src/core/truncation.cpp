@@ -216,10 +216,12 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
   Truncated truncated;
   if (!has_axis) truncated.unseen_ends = 0;
   if (inlier_points.empty()) return truncated;
-  if (!rays_.known) {
-    truncated.by |= depthBit(cloud_, range_, inlier_points);
-    return truncated;
-  }
+  const auto unknown = [&]() {
+    Truncated by_depth = truncated;
+    by_depth.by |= depthBit(cloud_, range_, inlier_points);
+    return by_depth;
+  };
+  if (!rays_.known) return unknown();
   const List<Pixel> pixels = pixelsOn(ObservedPart(shape, extent), cloud_, sigma_, inlier_points);
   if (pixels.empty()) return truncated;
   const auto starts = startsOf(pixels);
@@ -238,10 +240,15 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
   std::visit(walkAll, shape);
   // A pipe that runs slantwise into the border reaches it with an end: of two dozen walks one or two go along it.
   const std::uint8_t at_an_end = has_axis ? kTruncatedByImage : 0;
+  const auto reached = [&](std::uint8_t bit) {
+    const std::size_t walks = bit == at_an_end ? 24 : 10;
+    return walks * counts[bit] >= starts.size();
+  };
+  // Where a list ends the camera may have ended, or a filter, or the thing itself.
+  if (!rays_.border_known && reached(kTruncatedByImage)) return unknown();
   truncated.by = 0;
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
-    const std::size_t walks = bit == at_an_end ? 24 : 10;
-    if (walks * counts[bit] >= starts.size()) truncated.by |= bit;
+    if (reached(bit)) truncated.by |= bit;
   }
   if (has_axis) truncated.unseen_ends = ends.bits();
   return truncated;

@@ -33,12 +33,18 @@ class WeightedDraw {
     return std::min(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
   }
 
+  /// Calls use(index, share): of all that is told, what this one tells.
+  template <class Use>
+  void forEach(const Use& use) const {
+    for (std::size_t i = 0; i < weights_.size(); ++i) use(i, weights_[i] / sums_.back());
+  }
+
   /// Of all that is told, the share that those tell whose index agrees.
   template <class Agrees>
   double share(const Agrees& agrees) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < weights_.size(); ++i) sum += agrees(i) ? weights_[i] : 0.0;
-    return sum / sums_.back();
+    forEach([&](std::size_t i, double share) { sum += agrees(i) ? share : 0.0; });
+    return sum;
   }
 
  private:

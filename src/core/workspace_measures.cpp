@@ -197,10 +197,12 @@ double Detector::Workspace::stretchOfAxis(const Detection& item) const {
 /// Of the detections that were measured.
 void Detector::Workspace::distrustBentParts(const List<bool>& measured) {
   if (!depth_camera || !params.does(Step::bent_parts)) return;
+  const bool of_list = arrangement.projected() && !arrangement.isApproximate();
+  const std::uint8_t cut_off = of_list ? kTruncatedByImage | kTruncationUnknown : kTruncatedByImage;
   for (std::size_t k = 0; k < result.items.size(); ++k) {
     for (std::size_t other = 0; other < result.items.size(); ++other) {
       if (!measured[k] || !measured[other] || result.items[other].confidence < leastWhileChoosing(params)) continue;
-      const bool bent = isBentPart(result.items[k], result.items[other], verification.noise());
+      const bool bent = isBentPart(result.items[k], result.items[other], verification.noise(), cut_off);
       if (bent) result.items[k].confidence = 0.0f;
     }
   }
@@ -223,8 +225,9 @@ void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const 
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
-  // A list does not tell where the border of the image was.
-  const ImageRays rays = arrangement.projected() ? ImageRays() : raysOf(whole, normal_source);
+  // Pixels of an image that is only like the camera's are not where its were.
+  ImageRays rays = arrangement.isApproximate() ? ImageRays() : raysOf(whole, normal_source);
+  rays.border_known = !arrangement.projected();
   findPoints(whole, rays);
   const Cloud& cloud = thinned.cloud();
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};

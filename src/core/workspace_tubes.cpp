@@ -35,7 +35,7 @@ struct Thing {
 /// not is refused while others may still have its samples: of 70 things that a simulated Kinect, which is not part of
 /// this, saw in 160 frames and that were missing, 5 lay in a tube or cone that was refused at the end.
 bool Detector::Workspace::isSeen(const Segment& tube, const Cloud& cloud) {
-  if (!depth_camera || !isDepthImage(cloud) || arrangement.projected()) return true;
+  if (!depth_camera || !isDepthImage(cloud) || arrangement.isApproximate()) return true;
   Detection found;
   found.shape = tube.candidate.shape, found.concave = tube.candidate.concave;
   SeenPoints seen_points;

@@ -90,12 +90,17 @@ Json refusalsJson(const Refusals& refusals) {
   return json;
 }
 
+Json poseJson(const SensorPose& pose) {
+  const Eigen::Quaterniond& turn = pose.orientation;
+  Json json;
+  json["position"] = vectorJson(pose.position);
+  json["orientation"] = Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
+  return json;
+}
+
 Json sensorJson(const FileReport& report) {
   if (!report.sensor) return nullptr;
-  const Eigen::Quaterniond& turn = report.sensor->orientation;
-  Json json;
-  json["position"] = vectorJson(report.sensor->position);
-  json["orientation"] = Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
+  Json json = poseJson(*report.sensor);
   json["from"] = !report.found_sensor ? "option" : report.found_by_order ? "order" : "image";
   return json;
 }
@@ -157,6 +162,7 @@ Json frameObject(const FrameReport& report) {
   json["points_used"] = found.points_used;
   json["samples"] = found.samples;
   json["seen_from_origin"] = found.seen_from_origin;
+  json["sensor"] = report.found_sensor ? poseJson(*report.found_sensor) : Json(nullptr);
   json["processing_ms"] = report.processing_ms;
   json["refused"] = refusalsJson(found.refusals);
   json["primitives"] = primitivesJson(found);

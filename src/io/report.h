@@ -62,11 +62,13 @@ struct FrameReport {
   double beyond = 0.0;  ///< share of what was measured that lies beyond max_depth
   /// Nothing tells that the sensor was at the origin of the frame, which is no optical one.
   bool origin_assumed = false;
+  std::optional<SensorPose> found_sensor;  ///< in another frame than its own, where the points tell it
 };
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",
-/// "problem", "points_in", "points_used", "samples", "seen_from_origin", "processing_ms", "refused": {reason: count},
-/// "primitives": [...]}; problem is null where there is none. Primitives as in reportJson(), those of a track also with
+/// "problem", "points_in", "points_used", "samples", "seen_from_origin", "sensor", "processing_ms", "refused":
+/// {reason: count}, "primitives": [...]}; problem is null where there is none, sensor ({"position", "orientation"}) where
+/// the points told none. Primitives as in reportJson(), those of a track also with
 /// "track_id" and "age".
 std::string frameJson(const FrameReport& report);
 

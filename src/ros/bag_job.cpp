@@ -24,6 +24,13 @@ PrimitiveArray unreadable(const RecordedCloud& cloud) {
   return message;
 }
 
+/// In the frame of the last cloud, where its points told that it is elsewhere.
+std::optional<io::SensorPose> foundSensor(const FramePipeline& pipeline) {
+  if (!pipeline.foundCamera()) return std::nullopt;
+  const Eigen::Isometry3d& pose = *pipeline.foundCamera();
+  return io::SensorPose{pose.translation(), Eigen::Quaterniond(pose.linear())};
+}
+
 }  // namespace
 
 BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::FrameReport&)>& use,
@@ -58,7 +65,8 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
                                     recorded.damaged,
                                     1000.0 * message.processing_time,
                                     recorded.cloud ? sequence.pipeline().shareBeyond() : 0.0,
-                                    recorded.cloud && sequence.originIsAssumed()};
+                                    recorded.cloud && sequence.originIsAssumed(),
+                                    recorded.cloud ? foundSensor(sequence.pipeline()) : std::nullopt};
     use(report);
     if (!show || message.status != PrimitiveArray::OK) return;
     FramePipeline& pipeline = sequence.pipeline();

@@ -190,13 +190,14 @@ void DetectorNodelet::tellFoundCamera() {
                                   << "what tf makes of them, as in target_frame, is turned");
   }
   const Eigen::Vector3d position = camera.translation();
+  const Eigen::Quaterniond orientation(axes);
   const bool by_order = pipeline().isFoundByOrder();
   NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are "
                                 << (by_order ? "lists of the points of images" : "images")
                                 << " that were moved to frame '" << frame << "': searched from where their "
                                 << (by_order ? "order tells" : "rows and columns tell") << " that the camera was, at ("
-                                << std::fixed << std::setprecision(3) << position.transpose()
-                                << ") m; sensor_frame would say it");
+                                << std::fixed << std::setprecision(3) << position.transpose() << ") m, x y z w ("
+                                << orientation.coeffs().transpose() << "); sensor_frame would say it");
 }
 
 void DetectorNodelet::warnIfIncomplete(const std_msgs::Header& header) {

@@ -47,6 +47,7 @@ void BagSummary::add(const io::FrameReport& frame) {
   ++searched_;
   elsewhere_ += frame.detections.seen_from_origin ? 0 : 1;
   assumed_ += frame.origin_assumed ? 1 : 0;
+  moved_ += frame.found_sensor ? 1 : 0;
   milliseconds_.push_back(frame.processing_ms);
   refusals_ += frame.detections.refusals;
   const Counts counts = countsOf(frame.detections);
@@ -69,6 +70,11 @@ std::vector<std::string> BagSummary::notes() const {
     notes.push_back(std::to_string(assumed_) + " of " + std::to_string(clouds_) +
                     " clouds are lists without rows and columns, taken for seen from the origin of their frame along "
                     "z; --sensor_frame says where else the camera was");
+  }
+  if (moved_ > 0) {
+    notes.push_back(std::to_string(moved_) + " of " + std::to_string(clouds_) +
+                    " clouds were moved to another frame: searched from where their rows and columns, or the order of "
+                    "their points, tell that the camera was");
   }
   const double share = clouds_ > 0 ? beyond_ / static_cast<double>(clouds_) : 0.0;
   if (share >= io::kMuchBeyond) {

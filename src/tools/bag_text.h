@@ -34,7 +34,7 @@ class BagSummary {
   bool anySearched() const { return searched_ > 0; }
 
  private:
-  std::size_t clouds_ = 0, searched_ = 0, elsewhere_ = 0, assumed_ = 0;
+  std::size_t clouds_ = 0, searched_ = 0, elsewhere_ = 0, assumed_ = 0, moved_ = 0;
   std::string problem_;                             ///< of the first that was not searched
   std::array<std::size_t, kKindCount> found_ = {};  ///< in all clouds together
   double beyond_ = 0.0;                             ///< shares beyond max_depth, their sum

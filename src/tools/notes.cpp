@@ -60,6 +60,7 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
            "; is --sensor the pose of the camera's optical frame (z ahead, x right, y down) in the frame of the "
            "file?\n";
   }
+  if (input.found_sensor) return "  note: " + what + "; are some of them those of another camera?\n";
   return "  note: " + what +
          ", which is taken to be at the origin and to look along z; is the cloud in the frame of the camera? " +
          sensorAdvice(input.file) + "\n";
@@ -78,15 +79,18 @@ std::string beyondText(const DetectInput& input) {
 /// stay as they are.
 std::string assumedOriginText(const Detections& found, const DetectInput& input) {
   const bool assumed = found.seen_from_origin && !input.sensor && !input.seen().liesBehind();
-  if (!assumed || input.cloud.organized() || input.cloud.hasNormals() || input.sensor_at_origin) return "";
+  if (!assumed || input.cloud.valid_count == 0 || input.cloud.organized() || input.cloud.hasNormals() ||
+      input.sensor_at_origin)
+    return "";
   return "  note: a list of points without normals is taken for seen from its origin along z; --sensor says where else "
          "the camera was\n";
 }
 
 std::string normalsText(const Detections& found) {
   if (!found.normals_face_away) return "";
-  return "  note: most normals of the file face away from the sensor; if they are inward, what is seen from outside "
-         "passes for hollow and is missed: try --orient_normals true. Or --sensor says where the camera was\n";
+  return "  note: most normals of the file face away from the sensor: --sensor says where the camera was; if it was "
+         "at the origin, they are inward, and what is seen from outside passes for hollow and is missed: "
+         "--orient_normals true turns them\n";
 }
 
 std::string noiseText(const Detections& found) {

@@ -89,6 +89,7 @@ TEST(BentPart, IsMuchSmallerAndAtTheRim) {
   EXPECT_FALSE(isBentPart(part, wall(), kNoiseModel)) << "inside of the image";
   part.truncated = kTruncationUnknown;
   EXPECT_FALSE(isBentPart(part, wall(), kNoiseModel)) << "perhaps inside of the image";
+  EXPECT_TRUE(isBentPart(part, wall(), kNoiseModel, kTruncatedByImage | kTruncationUnknown)) << "where a list ends";
   part = corner(6.0 * kDegree);
   for (Vec3& point : part.extent.hull) point.x() += 0.2;
   EXPECT_FALSE(isBentPart(part, wall(), kNoiseModel)) << "beside it";

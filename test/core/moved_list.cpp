@@ -81,6 +81,20 @@ TEST(FindCameraOfAList, AfterFilters) {
                 "half of the points" + table_text);
     expectFound(those(all, [&](const Vec3&) { return random.uniform() < 0.97; }), kRobotFromCamera,
                 "without outliers" + table_text);
+    expectFound(those(all, [](const Vec3& p) { return p.x() < -0.2 * p.z(); }), kRobotFromCamera,
+                "one side" + table_text);
+  }
+}
+
+/// In which any axis would meet all lines between points, if it were not for their noise.
+TEST(FindCameraOfAList, FromATableAlone) {
+  synthetic::World world;
+  world.add("table", synthetic::Sheet{1.0, 1.0}, test::tableBeforeCamera(1.0, 0.7));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<Vec3> all = pointsOf(test::renderedCloud(world, {}, seed));
+    expectFound(all, kRobotFromCamera, "all of it");
+    expectFound(those(all, [](const Vec3& p) { return std::abs(p.x()) < 0.1 && std::abs(p.y()) < 0.1; }),
+                kRobotFromCamera, "a part of it");
   }
 }
 

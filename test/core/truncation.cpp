@@ -27,6 +27,7 @@ struct View {
   DepthRange range = {0.1f, 2.0f};
   std::uint64_t seed = 1;
   PinholeCamera camera;
+  bool border_known = true;
   synthetic::Frame frame;
   Cloud cloud;
 
@@ -58,7 +59,9 @@ struct View {
     std::vector<Vec3> points;
     for (const std::uint32_t i : samples) points.emplace_back(cloud.x[i], cloud.y[i], cloud.z[i]);
     const auto noise = [](const Vec3& p) { return std::max(synthetic::axialSigma(p.z()), 0.003 * p.z()); };
-    const TruncationFinder finder(cloud, range, noise);
+    ImageRays rays = findRays(cloud);
+    rays.border_known = border_known;
+    const TruncationFinder finder(cloud, rays, range, noise);
     return finder.find(shape(surface), measureExtent(shape(surface), points), samples);
   }
   int truncationOf(int surface) const { return truncated(surface).by; }
@@ -110,6 +113,16 @@ TEST(Truncation, OfABallHalfOutOfTheImageIsByTheImage) {
     view.render();
     EXPECT_EQ(view.truncationOf(ball), kTruncatedByImage) << y;
   }
+}
+
+TEST(Truncation, AtTheEndOfAListIsUnknown) {
+  View view;
+  view.border_known = false;
+  const int out = addBall(view.world, 0.0, 0.6, 0.1), inside = addBall(view.world, 0.0, 0.2, 0.1);
+  addTable(view.world, 0.8, 0.8);
+  view.render();
+  EXPECT_EQ(view.truncationOf(out) & kTruncationUnknown, kTruncationUnknown);
+  EXPECT_EQ(view.truncationOf(inside), 0);
 }
 
 /// Of 24 walks across it and along it one or two come to the border.
