@@ -48,11 +48,17 @@ Vec3 commonDirection(const std::vector<RowPair>& pairs) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums).eigenvectors().col(2);
 }
 
-/// Most pairs from all over the list are of several rows: not so of an axis that lies in the plane of all points.
+/// Most pairs from all over the list are of several rows, and nearly all points on one side: not so of an axis in the
+/// plane of the points, which all lines through two of them meet.
 bool partsRows(const RowAxis& axis, const std::vector<RowPair>& far_apart, double near) {
-  constexpr double kMost = 0.3;
+  constexpr double kMost = 0.3, kBehind = 0.02;
+  const auto all = static_cast<double>(far_apart.size());
   const auto together = static_cast<double>(inOneRow(axis, far_apart, near).size());
-  return together < kMost * static_cast<double>(far_apart.size());
+  // The mean of the points is 0.
+  const auto behind = std::count_if(far_apart.begin(), far_apart.end(), [&axis](const RowPair& pair) {
+    return axis.through.dot(pair.first - axis.through) >= 0.0 || axis.through.dot(pair.second - axis.through) >= 0.0;
+  });
+  return together < kMost * all && static_cast<double>(behind) <= kBehind * all;
 }
 
 /// From five pairs, the best of several draws. What is parallel to the rows, as of a wall before the camera, tells no
@@ -79,7 +85,8 @@ std::optional<RowAxis> drawAxis(const std::vector<RowPair>& pairs, const std::ve
 }
 
 /// By least squares from those of one row; as before where that loses some of them, as of points in a plane it may.
-std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<RowPair>& pairs, double near) {
+RowAxis fitAxis(const RowAxis& before, const std::vector<RowPair>& pairs, const std::vector<RowPair>& far_apart,
+                double near) {
   constexpr double kKept = 0.95;
   const std::vector<RowPair> in_row = inOneRow(before, pairs, near);
   if (in_row.size() < kFewestRowPairs) return before;
@@ -91,7 +98,8 @@ std::optional<RowAxis> fitAxis(const RowAxis& before, const std::vector<RowPair>
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(sums);
   const std::optional<RowAxis> axis = axisOf(eigen.eigenvectors().col(0));
   const auto least = kKept * static_cast<double>(in_row.size());
-  return axis && static_cast<double>(inOneRow(*axis, in_row, near).size()) >= least ? axis : before;
+  if (!axis || !partsRows(*axis, far_apart, near)) return before;
+  return static_cast<double>(inOneRow(*axis, in_row, near).size()) >= least ? *axis : before;
 }
 
 }  // namespace
@@ -147,10 +155,11 @@ std::optional<RowAxis> findRowAxis(const PointsOfList& points, double near) {
   constexpr int kRefits = 2;
   const std::vector<RowPair> drawn = points.pairs(kDrawn);
   if (drawn.size() < kFewestRowPairs) return std::nullopt;
-  std::optional<RowAxis> axis = drawAxis(drawn, points.farPairs(), near);
+  const std::vector<RowPair> far_apart = points.farPairs();
+  std::optional<RowAxis> axis = drawAxis(drawn, far_apart, near);
   for (const std::size_t apart : {4, 16, 64}) {
     const std::vector<RowPair> pairs = points.pairs(apart);
-    for (int time = 0; axis && time < kRefits; ++time) axis = fitAxis(*axis, pairs, near);
+    for (int time = 0; axis && time < kRefits; ++time) axis = fitAxis(*axis, pairs, far_apart, near);
   }
   return axis;
 }
