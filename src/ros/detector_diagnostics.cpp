@@ -118,9 +118,12 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   status.add("points in last cloud", counters_.last_points_in);
   status.add("valid points in last cloud", counters_.last_points_used);
   status.add("seen from the origin", yesOrNo(view_.seen_from_origin));
-  const char* const camera = "camera that a moved image tells, m";
-  if (const auto& at = view_.found_camera) {
-    status.addf(camera, "%.3f %.3f %.3f", at->x(), at->y(), at->z());
+  const char* const camera = "camera that the points tell, x y z (m) and x y z w";
+  if (view_.found_camera) {
+    const Eigen::Vector3d at = view_.found_camera->translation();
+    const Eigen::Quaterniond turn(view_.found_camera->linear());
+    status.addf(camera, "%.3f %.3f %.3f  %.4f %.4f %.4f %.4f", at.x(), at.y(), at.z(), turn.x(), turn.y(), turn.z(),
+                turn.w());
   } else {
     status.add(camera, "none");
   }

@@ -39,10 +39,11 @@ struct FrameCounters {
 
 /// How the last cloud was seen.
 struct FrameView {
-  std::optional<bool> seen_from_origin;         ///< by a sensor there that looks along z; empty: unknown
-  bool normals_face_away = false;               ///< most of those that it brought, from that sensor
-  double image_noise = 0.0;                     ///< times structured light's; 0: not measured
-  std::optional<Eigen::Vector3d> found_camera;  ///< of an image that was moved to another frame, in that (m)
+  std::optional<bool> seen_from_origin;           ///< by a sensor there that looks along z; empty: unknown
+  bool normals_face_away = false;                 ///< most of those that it brought, from that sensor
+  double image_noise = 0.0;                       ///< times structured light's; 0: not measured
+  std::optional<Eigen::Isometry3d> found_camera;  ///< where the points tell that it is elsewhere: its optical frame, in
+                                                  ///< that of the cloud
 };
 
 class DetectorDiagnostics {

@@ -114,7 +114,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   const std::string& refused = sequence_->problem();
   const FramePipeline& done = pipeline();
   FrameView view = {done.seenFromOrigin(), done.normalsFaceAway(), done.imageNoise(), std::nullopt};
-  if (done.foundCamera()) view.found_camera = done.foundCamera()->translation();
+  view.found_camera = done.foundCamera();
   diagnostics_->frameDone(message, done.refusals(), view, refused.empty() ? sequence_->frameProblem() : refused);
   publish(message);
   pipeline().published();

@@ -84,7 +84,7 @@ def found(detector, make_message):
 def camera_told(diagnostics):
     """In the last words on the input of the detector that has no sensor_frame; None before."""
     told = [v.value for m in diagnostics.all() for s in m.status if s.name == "without: input"
-            for v in s.values if v.key == "camera that a moved image tells, m"]
+            for v in s.values if v.key == "camera that the points tell, x y z (m) and x y z w"]
     return told[-1] if told else None
 
 
@@ -195,8 +195,14 @@ class SensorFrame(unittest.TestCase):
         self.assertTrue(wait_for(told))
         self.check_primitives(answers[-1])
         self.assertTrue(wait_for(lambda: camera_told(diagnostics) not in (None, "none")))
-        for value, true in zip(camera_told(diagnostics).split(), (0.0, 0.0, HEIGHT)):
-            self.assertAlmostEqual(float(value), true, delta=0.005)
+        numbers = [float(number) for number in camera_told(diagnostics).split()]
+        self.assertEqual(len(numbers), 7)
+        for value, true in zip(numbers, (0.0, 0.0, HEIGHT)):
+            self.assertAlmostEqual(value, true, delta=0.005)
+        # z ahead along x of the base, x to the right, y down: a third of a turn, of either sign.
+        sign = -1.0 if numbers[6] < 0.0 else 1.0
+        for value, true in zip(numbers[3:], (-0.5, 0.5, -0.5, 0.5)):
+            self.assertAlmostEqual(sign * value, true, delta=0.01)
         stamp = answers[-1].header.stamp
         self.assertTrue(wait_for(lambda: all(m.last() and m.last().header.stamp == stamp for m in (labels, normals))))
         self.assertEqual((labels.last().header.frame_id, normals.last().header.frame_id), ("base", "base"))
