@@ -6,7 +6,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <primitect/PrimitiveArray.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
