@@ -22,6 +22,10 @@ namespace primitect {
 /// the image to a third of a pixel (of lists to a tenth), or only one whose pixels or principal point no camera has.
 std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud);
 
+/// By how much (rad) its axes are turned against those of the cloud; of a list, which does not tell which side of its
+/// image is up, how far z is.
+double turnOf(const Eigen::Isometry3d& cloud_from_camera, bool of_list);
+
 /// It is the origin, and looks along z: images to 3 mm and 3 mrad, lists, of which less is known, to 10 and 10, and up
 /// to a turn around z. A poor lens there shifts what is found by some millimetres.
 bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud);

@@ -5,12 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "core/lattice.h"
+#include "core/lower_quartile.h"
 #include "core/row_axis.h"
 #include "core/weighted_draw.h"
 
@@ -21,11 +21,9 @@ constexpr double kNearPixel = 0.1;  // px
 
 /// Where points follow each other in their row, about the width of a pixel; 0: they are in one place.
 double usualStep(const std::vector<RowPair>& neighbours) {
-  std::vector<double> steps;
+  List<double> steps;
   for (const RowPair& pair : neighbours) steps.push_back((pair.second - pair.first).norm());
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(steps);
 }
 
 /// A frame on the axis of the rows.
@@ -103,7 +101,7 @@ bool mayBeOfACamera(const Columns& columns, double distance) {
 std::optional<Columns> drawColumns(const std::vector<ColumnStep>& steps, double distance) {
   constexpr int kDraws = 400;
   constexpr double kSurely = 0.99, kMostlySingle = 0.85, kLeast = 0.6;
-  std::vector<double> tells;
+  List<double> tells;
   for (const ColumnStep& step : steps) tells.push_back(std::abs(step.inverse / step.change));
   WeightedDraw draw(std::move(tells));
   Agreement most;

@@ -12,6 +12,7 @@
 
 #include "core/image_rays.h"
 #include "core/listed_image.h"
+#include "core/lower_quartile.h"
 
 namespace primitect {
 namespace {
@@ -104,13 +105,12 @@ Explained explainedBy(const Projection& projection, const std::vector<SeenPoint>
 
 /// Of more than half of them the error is no larger (px); those that are nowhere count as far off.
 double medianError(const Projection& projection, const std::vector<SeenPoint>& seen) {
-  std::vector<double> errors;
+  List<double> errors;
   for (const SeenPoint& each : seen) {
     const double error = errorOf(projection, each);
     errors.push_back(std::isfinite(error) ? error : std::numeric_limits<double>::max());
   }
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  return errors[errors.size() / 2];
+  return median(errors);
 }
 
 /// m = k r: k upper triangular with a positive diagonal, r orthogonal.
@@ -203,11 +203,14 @@ std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
   return cloud_from_camera;
 }
 
+double turnOf(const Eigen::Isometry3d& cloud_from_camera, bool of_list) {
+  const Eigen::Matrix3d axes = cloud_from_camera.linear();
+  return of_list ? std::acos(std::min(1.0, axes(2, 2))) : Eigen::AngleAxisd(axes).angle();
+}
+
 bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) {
   const double most = cloud.organized() ? 0.003 : 0.01;  // m and rad
-  const Eigen::Matrix3d axes = cloud_from_camera.linear();
-  const double turn = cloud.organized() ? Eigen::AngleAxisd(axes).angle() : std::acos(std::min(1.0, axes(2, 2)));
-  return cloud_from_camera.translation().norm() <= most && turn <= most;
+  return cloud_from_camera.translation().norm() <= most && turnOf(cloud_from_camera, !cloud.organized()) <= most;
 }
 
 CameraSearch searchForCamera(const Cloud& whole) {

@@ -67,7 +67,7 @@ std::optional<RowAxis> drawAxis(const std::vector<RowPair>& pairs, const std::ve
   constexpr int kDraws = 40, kDrawn = 5;
   constexpr double kNearlyAll = 0.97, kLeast = 0.5;  // of small parts of an image many pairs are of two rows
   const Vec3 common = commonDirection(pairs);
-  std::vector<double> tells;
+  List<double> tells;
   for (const RowPair& pair : pairs) tells.push_back((pair.second - pair.first).normalized().cross(common).norm());
   WeightedDraw draw(std::move(tells));
   double most = kLeast;

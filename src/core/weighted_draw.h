@@ -7,8 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
+#include "core/frame_memory.h"
+#include "core/lower_quartile.h"
 #include "core/random.h"
 
 namespace primitect {
@@ -18,7 +19,7 @@ class WeightedDraw {
  public:
   /// tells: of each, how much it tells, in any unit, and less than 0 or not finite: nothing. At least one. What tells
   /// more than most counts for little more than these.
-  explicit WeightedDraw(std::vector<double> tells) : weights_(std::move(tells)) {
+  explicit WeightedDraw(List<double> tells) : weights_(std::move(tells)) {
     for (double& weight : weights_) weight = std::isfinite(weight) && weight > 0.0 ? weight : 0.0;
     const double usual = usualOf(weights_);
     for (double& weight : weights_) {
@@ -50,17 +51,16 @@ class WeightedDraw {
  private:
   /// Twice what the middle one tells, which a few that tell any number do not change; where most tell nothing, the
   /// mean.
-  static double usualOf(std::vector<double> tells) {
+  static double usualOf(List<double> tells) {
     constexpr double kMore = 2.0;
     double mean = 0.0;
     for (const double each : tells) mean += each / static_cast<double>(tells.size());
-    const auto middle = tells.begin() + static_cast<std::ptrdiff_t>(tells.size() / 2);
-    std::nth_element(tells.begin(), middle, tells.end());
-    return *middle > 0.0 ? kMore * *middle : mean;
+    const double middle = median(tells);
+    return middle > 0.0 ? kMore * middle : mean;
   }
 
   Random random_{1};
-  std::vector<double> weights_, sums_;
+  List<double> weights_, sums_;
 };
 
 }  // namespace primitect

@@ -16,6 +16,9 @@ struct SensorPose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 
   Eigen::Isometry3d pointsFromSensor() const { return Eigen::Translation3d(position) * orientation; }
+  static SensorPose of(const Eigen::Isometry3d& points_from_sensor) {
+    return {points_from_sensor.translation(), Eigen::Quaterniond(points_from_sensor.linear())};
+  }
 };
 
 /// "X Y Z QX QY QZ QW", as tf_echo prints them, with or without commas and brackets; the quaternion is scaled to unit

@@ -27,8 +27,7 @@ PrimitiveArray unreadable(const RecordedCloud& cloud) {
 /// In the frame of the last cloud, where its points told that it is elsewhere.
 std::optional<io::SensorPose> foundSensor(const FramePipeline& pipeline) {
   if (!pipeline.foundCamera()) return std::nullopt;
-  const Eigen::Isometry3d& pose = *pipeline.foundCamera();
-  return io::SensorPose{pose.translation(), Eigen::Quaterniond(pose.linear())};
+  return io::SensorPose::of(*pipeline.foundCamera());
 }
 
 }  // namespace

@@ -5,14 +5,13 @@
 
 #include <tf2/exceptions.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "messages.h"
 #include "primitect/kernel_choice.h"
+#include "primitect/moved_image.h"
 #include "silence.h"
 
 namespace primitect::ros_layer {
@@ -180,18 +179,14 @@ void DetectorNodelet::tellFoundCamera() {
   const Eigen::Isometry3d& camera = *pipeline().foundCamera();
   const std::string& frame = sequence_->sensorHeader().frame_id;
   constexpr double kTurned = 0.3;  // rad: more than from one optical frame of a camera to another of its own
-  // Lists do not tell which side of their image is up.
-  const Eigen::Matrix3d axes = camera.linear();
-  const double turn =
-      pipeline().isFoundByOrder() ? std::acos(std::min(1.0, axes(2, 2))) : Eigen::AngleAxisd(axes).angle();
-  if (frame.find("optical") != std::string::npos && turn > kTurned) {
+  const bool by_order = pipeline().isFoundByOrder();
+  if (frame.find("optical") != std::string::npos && turnOf(camera, by_order) > kTurned) {
     NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are said to be in '" << frame
                                   << "', but their axes are not those of an optical frame (z ahead, x right, y down): "
                                   << "what tf makes of them, as in target_frame, is turned");
   }
   const Eigen::Vector3d position = camera.translation();
-  const Eigen::Quaterniond orientation(axes);
-  const bool by_order = pipeline().isFoundByOrder();
+  const Eigen::Quaterniond orientation(camera.linear());
   NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are "
                                 << (by_order ? "lists of the points of images" : "images")
                                 << " that were moved to frame '" << frame << "': searched from where their "

@@ -12,7 +12,6 @@
 #include "io/share_beyond.h"
 #include "output_clouds.h"
 #include "primitect/detector.h"
-#include "primitect/moved_image.h"
 #include "primitect/transforms.h"
 
 namespace primitect::ros_layer {
@@ -91,11 +90,10 @@ void FramePipeline::lookForCamera(const sensor_msgs::PointCloud2& message, bool 
     readWhole();
     found = searchForCamera(cloud_);
   }
-  origin_is_camera_ = found->at_origin;
-  cloud_from_found_camera_ = found->cloud_from_camera;
-  if (cloud_from_found_camera_) {
+  camera_ = *found;
+  if (camera_.cloud_from_camera) {
     if (cut_tells) readWhole();
-    cloud_.move(cloud_from_found_camera_->inverse(), range);
+    cloud_.move(camera_.cloud_from_camera->inverse(), range);
   } else if (!cut_tells) {
     readCloud(message, range, {params().use_cloud_normals, with_labels}, cloud_);
   }
@@ -110,18 +108,17 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   problem_ = readCloud(message, sensor_from_cloud ? DepthRange() : range, wanted, cloud_);
   has_cloud_ = problem_.empty();
   sensor_from_cloud_ = sensor_from_cloud;
-  cloud_from_found_camera_.reset();
-  origin_is_camera_ = false;
+  camera_ = {};
   const bool from_image = !sensor_from_cloud && place == CameraPlace::from_image;
   if (has_cloud_ && from_image) lookForCamera(message, with_labels);
   if (has_cloud_ && sensor_from_cloud) cloud_.move(*sensor_from_cloud, range);
   stageDone("read");
   const Detections& detected = has_cloud_ ? detect() : kRejected;
-  if (cloud_from_found_camera_) {
+  if (camera_.cloud_from_camera) {
     in_frame_of_cloud_ = detected;
-    transformDetections(*cloud_from_found_camera_, in_frame_of_cloud_);
+    transformDetections(*camera_.cloud_from_camera, in_frame_of_cloud_);
   }
-  const Detections& detections = cloud_from_found_camera_ ? in_frame_of_cloud_ : detected;
+  const Detections& detections = camera_.cloud_from_camera ? in_frame_of_cloud_ : detected;
   status_ = detections.status;
   refusals_ = detections.refusals;
   if (problem_.empty()) problem_ = problemOf(detections);
@@ -141,7 +138,7 @@ PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, 
   problem_ = problem;
   has_cloud_ = false;
   sensor_from_cloud_.reset();
-  cloud_from_found_camera_.reset();
+  camera_ = {};
   status_ = kNoTransform.status;
   refusals_ = {};
   return message_writer_.write(kNoTransform, header);
@@ -156,7 +153,7 @@ std::optional<bool> FramePipeline::seenFromOrigin() const {
 double FramePipeline::shareBeyond() const { return has_cloud_ ? io::shareBeyond(cloud_) : 0.0; }
 
 bool FramePipeline::isListFromOrigin() const {
-  return seenFromOrigin() == true && !cloud_.organized() && !cloud_from_found_camera_ && !origin_is_camera_;
+  return seenFromOrigin() == true && !cloud_.organized() && !foundCamera() && !camera_.at_origin;
 }
 
 std::string FramePipeline::problemOf(const Detections& detections) const {
@@ -172,7 +169,7 @@ Cloud FramePipeline::seen(const sensor_msgs::PointCloud2& message) const {
   Cloud whole;
   readCloud(message, DepthRange(), {params().use_cloud_normals, true}, whole);
   if (sensor_from_cloud_) whole.move(*sensor_from_cloud_, DepthRange());
-  if (cloud_from_found_camera_) whole.move(cloud_from_found_camera_->inverse(), DepthRange());
+  if (camera_.cloud_from_camera) whole.move(camera_.cloud_from_camera->inverse(), DepthRange());
   return whole;
 }
 
@@ -183,22 +180,22 @@ const std::vector<std::uint32_t>& FramePipeline::pointLabels() {
 
 sensor_msgs::PointCloud2 FramePipeline::labels(const std_msgs::Header& header) {
   const std::vector<std::uint32_t>& labels = pointLabels();
-  if (!cloud_from_found_camera_) return labelCloud(header, cloud_, labels, detector_.result());
+  if (!camera_.cloud_from_camera) return labelCloud(header, cloud_, labels, detector_.result());
   Cloud moved_back = cloud_;
-  moved_back.move(*cloud_from_found_camera_, DepthRange());
+  moved_back.move(*camera_.cloud_from_camera, DepthRange());
   return labelCloud(header, moved_back, labels, detector_.result());
 }
 
 sensor_msgs::PointCloud2 FramePipeline::normals(const std_msgs::Header& header) const {
   const SampleView samples = detector_.samples();
-  if (!cloud_from_found_camera_) return normalCloud(header, samples);
+  if (!camera_.cloud_from_camera) return normalCloud(header, samples);
   Cloud moved_back;
   moved_back.reset(static_cast<std::uint32_t>(samples.count), 1, true);
   for (std::size_t i = 0; i < samples.count; ++i) {
     moved_back.setPoint(i, samples.x[i], samples.y[i], samples.z[i], DepthRange());
     moved_back.nx[i] = samples.nx[i], moved_back.ny[i] = samples.ny[i], moved_back.nz[i] = samples.nz[i];
   }
-  moved_back.move(*cloud_from_found_camera_, DepthRange());
+  moved_back.move(*camera_.cloud_from_camera, DepthRange());
   return normalCloud(header, {moved_back.x.data(), moved_back.y.data(), moved_back.z.data(), moved_back.nx.data(),
                               moved_back.ny.data(), moved_back.nz.data(), samples.count});
 }

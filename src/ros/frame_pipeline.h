@@ -15,6 +15,7 @@
 #include "messages.h"
 #include "primitect/detector.h"
 #include "primitect/latency_governor.h"
+#include "primitect/moved_image.h"
 #include "steady_time.h"
 
 namespace primitect::ros_layer {
@@ -69,10 +70,10 @@ class FramePipeline {
 
   /// Of the last cloud, where its own rows and columns, or the order of a list, told that it is elsewhere; in its
   /// frame.
-  const std::optional<Eigen::Isometry3d>& foundCamera() const { return cloud_from_found_camera_; }
+  const std::optional<Eigen::Isometry3d>& foundCamera() const { return camera_.cloud_from_camera; }
 
   /// The order of a list told it.
-  bool isFoundByOrder() const { return cloud_from_found_camera_ && !cloud_.organized(); }
+  bool isFoundByOrder() const { return foundCamera() && !cloud_.organized(); }
 
   /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.
   std::optional<bool> seenFromOrigin() const;
@@ -123,9 +124,8 @@ class FramePipeline {
   std::optional<LatencyGovernor> governor_;
   Cloud cloud_;
   std::optional<Eigen::Isometry3d> sensor_from_cloud_;  ///< as it was told, of the last cloud
-  std::optional<Eigen::Isometry3d> cloud_from_found_camera_;
-  bool origin_is_camera_ = false;  // the points tell it
-  Detections in_frame_of_cloud_;   ///< with a found camera
+  CameraSearch camera_;                                 // of the last cloud, where nobody says where its camera was
+  Detections in_frame_of_cloud_;                        ///< with a found camera
   bool has_cloud_ = false;
   Status status_ = Status::ok;  ///< of the last cloud
   Refusals refusals_;

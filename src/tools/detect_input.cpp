@@ -23,8 +23,7 @@ void moveToFoundCamera(DetectInput& input) {
   const CameraSearch found = in_cut ? *in_cut : searchForCamera(input.file.cloud);
   input.sensor_at_origin = found.at_origin;
   if (!found.cloud_from_camera) return;
-  const Eigen::Isometry3d& pose = *found.cloud_from_camera;
-  input.sensor = io::SensorPose{pose.translation(), Eigen::Quaterniond(pose.linear())};
+  input.sensor = io::SensorPose::of(*found.cloud_from_camera);
   input.found_sensor = true;
   moveToSensor(*input.sensor, input);
 }

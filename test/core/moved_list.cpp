@@ -52,6 +52,12 @@ std::vector<Vec3> those(const std::vector<Vec3>& points, const std::function<boo
   return left;
 }
 
+std::vector<Vec3> shuffled(std::vector<Vec3> points, std::uint64_t seed) {
+  Random random(seed);
+  for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
+  return points;
+}
+
 void expectFound(const std::vector<Vec3>& points, const Eigen::Isometry3d& pose, const std::string& what) {
   const auto found = findCamera(listOf(points, pose));
   ASSERT_TRUE(found) << what;
@@ -170,13 +176,11 @@ std::vector<Vec3> averaged(const std::vector<Vec3>& points, double side) {
 
 TEST(FindCameraOfAList, NotWithoutTheOrderOfTheImage) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    std::vector<Vec3> points = pointsOf(table(seed));
+    const std::vector<Vec3> points = pointsOf(table(seed));
     for (const double side : {0.003, 0.005, 0.01}) {
       EXPECT_FALSE(findCamera(listOf(averaged(points, side)))) << "voxels of " << side << ", table " << seed;
     }
-    Random random(seed);
-    for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
-    EXPECT_FALSE(findCamera(listOf(points))) << "shuffled table " << seed;
+    EXPECT_FALSE(findCamera(listOf(shuffled(points, seed)))) << "shuffled table " << seed;
   }
 }
 
@@ -234,10 +238,7 @@ TEST(SearchForCameraOfAList, FindsItWhereItsOrderTells) {
   EXPECT_FALSE(of_camera->cloud_from_camera);
   EXPECT_FALSE(moved->at_origin);
   EXPECT_TRUE(moved->cloud_from_camera);
-  std::vector<Vec3> shuffled = points;
-  Random random(1);
-  for (std::size_t i = shuffled.size() - 1; i > 0; --i) std::swap(shuffled[i], shuffled[random.below(i + 1)]);
-  const auto none = searchForCameraInCut(listOf(shuffled));
+  const auto none = searchForCameraInCut(listOf(shuffled(points, 1)));
   ASSERT_TRUE(none);
   EXPECT_FALSE(none->at_origin);
   EXPECT_FALSE(none->cloud_from_camera);
