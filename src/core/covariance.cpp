@@ -24,13 +24,41 @@ struct FitSums {
   double psi_sq = 0.0;                    ///< of psi^2
   double slope = 0.0;                     ///< of psi'
   double slope_sq = 0.0;                  ///< of psi'^2
+  Hessian waves = Hessian::Zero();        ///< covariance of the sum of g d / sigma^2, d: what waves make of distances
 };
 
 /// A mean over more points would differ by less than its own scatter: 6 % of variances, 3 % of deviations.
 constexpr std::size_t kMostFitPoints = 509;
 using SomeInliers = SomePoints<kMostFitPoints>;
 
-FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& sigma) {
+/// What waves put into the sum of g d / sigma^2 over the points. A relative error of the depth at p moves it by that
+/// share of p, and its distance by the share of n.p. From some of the points, as every pair of them counts; in double,
+/// as of what the points hardly determine little more than rounding would be left.
+Hessian waveScores(const SomeInliers& points, const Feet<SomeInliers::kRoom>& feet,
+                   const FlatGradients<SomeInliers::kRoom>& gradients, const float* inverse, const DepthWaves& waves) {
+  constexpr std::size_t kMost = 64;
+  const std::size_t count = std::min(points.count, kMost);
+  Eigen::Matrix<double, kMostParameters, kMost> scores = decltype(scores)::Zero(), alike = scores;
+  double u[kMost], v[kMost];
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = k * points.count / count;
+    const Vec3 p = points.point(i);
+    const double along = p.dot(Vec3(feet.nx[i], feet.ny[i], feet.nz[i]));
+    const double weight = static_cast<double>(inverse[i]) * inverse[i];
+    u[k] = p.x() / p.z(), v[k] = p.y() / p.z();
+    for (int r = 0; r < gradients.rows; ++r) scores(r, k) = gradients.row[r][i] * along * weight;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t other = 0; other < count; ++other) {
+      const double across = u[k] - u[other], down = v[k] - v[other];
+      alike.col(k) += waves.alike(across * across + down * down) * scores.col(other);
+    }
+  }
+  const double each = static_cast<double>(points.count) / static_cast<double>(count);
+  return waves.share * waves.share * each * each * alike.lazyProduct(scores.transpose());
+}
+
+FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& sigma, const DepthWaves& waves) {
   const Feet<SomeInliers::kRoom> feet(shape, points);
   FitSums sums;
   float one[SomeInliers::kRoom], inverse[SomeInliers::kRoom], score[SomeInliers::kRoom];
@@ -53,6 +81,7 @@ FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& 
                                                     points.count);
   sums.information = sumOfSquares(gradients, inverse, points.count);
   sums.scores = sumOfSquares(gradients, score, points.count);
+  if (waves.share > 0.0 && points.count > 0) sums.waves = waveScores(points, feet, gradients, inverse, waves);
   return sums;
 }
 
@@ -106,6 +135,7 @@ Hessian unknown(int parameters) {
   return covariance;
 }
 
+/// Of errors that are independent.
 Hessian covarianceOf(const FitSums& sums, int parameters) {
   // Fewer points leave no residual to take the noise from.
   const double freedom = sums.count - parameters;
@@ -221,16 +251,22 @@ double largestDeviation(const Eigen::Matrix3d& covariance) {
 
 }  // namespace
 
-Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, double shared_noise) {
+Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
+                          const SharedErrors& shared) {
   const SomeInliers points(inliers);
   const int parameters = parameterCount(kindOf(shape));
-  const Hessian covariance = points.share * shared_noise * covarianceOf(sumsOf(shape, points, sigma), parameters);
+  const FitSums sums = sumsOf(shape, points, sigma, shared.waves);
+  Hessian covariance = points.share * shared.noise * covarianceOf(sums, parameters);
+  if (shared.waves.share > 0.0) {
+    const Hessian fit = directionsOf(sums.information, parameters).fit;
+    covariance += fit * sums.waves * fit;
+  }
   return capped(covariance.allFinite() ? covariance : unknown(parameters));
 }
 
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const PointNoise& sigma, double shared_noise, double axis_deviation) {
-  const Hessian by_points = measureCovariance(shape, inliers, sigma, shared_noise);
+                               const PointNoise& sigma, const SharedErrors& shared, double axis_deviation) {
+  const Hessian by_points = measureCovariance(shape, inliers, sigma, shared);
   const Hessian local = std::isfinite(axis_deviation) ? withHeldAxis(by_points, shape, axis_deviation) : by_points;
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   Hessian observed = published.jacobian * local * published.jacobian.transpose();

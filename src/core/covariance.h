@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "core/depth_waves.h"
 #include "core/point_noise.h"
 #include "core/residuals.h"
 #include "core/seen_points.h"
@@ -27,13 +28,18 @@ struct Uncertainty {
   double position_stddev = 0.0, axis_stddev = 0.0;
 };
 
+/// What several points have of their errors together.
+struct SharedErrors {
+  double noise = 1.0;  ///< so many points share one deviation, as neighbours of a depth camera do; 1: none do
+  DepthWaves waves;    ///< of the depth; points are then in the camera's frame
+};
+
 /// Covariance of the local parameters (residuals.h; m, rad) of a shape that refine() has fitted to these points with
 /// the tolerance kInlierDeviations * sigma(p). Unused parameters have variance 0, those that the points do not
 /// determine at most kUnobservable. The scale of the noise is taken from the residuals: sigma(p) (m) need only tell how
-/// the points compare. Points beyond the tolerance do not count. shared_noise: how many points share one deviation, as
-/// neighbours of a depth camera do; 1 = all are independent.
+/// the points compare. Points beyond the tolerance do not count.
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
-                          double shared_noise = 1.0);
+                          const SharedErrors& shared = {});
 
 /// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
 /// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a
@@ -41,7 +47,7 @@ Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const P
 /// radius of a cone is that where its wide end was seen. axis_deviation: rad, of the axis of a cylinder or a cone
 /// where the fit held it; infinite where it did not.
 Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const PointNoise& sigma, double shared_noise = 1.0,
+                               const PointNoise& sigma, const SharedErrors& shared = {},
                                double axis_deviation = std::numeric_limits<double>::infinity());
 
 }  // namespace primitect

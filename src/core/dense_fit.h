@@ -52,6 +52,7 @@ struct PointsChoice {
   bool either = false;
   /// Rad; finite: its axis is the normal of a face (upright.h), as well as that is known, and stays.
   double axis_deviation = std::numeric_limits<double>::infinity();
+  double axis_waves = 0.0;  ///< rad, what waves of the depth add to that: only covariances know of them
 
   bool upright() const { return std::isfinite(axis_deviation); }
 };

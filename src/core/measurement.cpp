@@ -74,7 +74,8 @@ Measurement::Measurement(const Cloud& cloud, const ImageRays& rays, const Params
       limits_(limits),
       range_(depthRangeOf(params)),
       sigma_(noise.full),
-      truncation_(cloud, rays, range_, sigma_) {}
+      truncation_(cloud, rays, range_, sigma_),
+      waves_(noise.waves) {}
 
 /// What a depth camera saw of curved shapes is fitted along its rays, and has no bias by the noise. Planes are not:
 /// what turns them is small, and of narrow ones it is the smaller evil.
@@ -100,7 +101,7 @@ PointsChoice Measurement::start(const Detection& found) {
   if (!hasAxis(kindOf(shape)) || !does(Step::last_fit)) return {shape, false};
   gatherPart(found);
   const PointsChoice choice = refineOnPoints(shape, fit_points_, limits_);
-  const Detection* face = faceOf(found);
+  const Face* face = faceOf(found);
   return face ? upright(*face, choice, Leaning::clear).value_or(choice) : choice;
 }
 
@@ -110,25 +111,26 @@ void Measurement::gatherPart(const Detection& found) {
 }
 
 /// The largest face that it may stand on; null where none is known well enough.
-const Detection* Measurement::faceOf(const Detection& found) const {
+const Measurement::Face* Measurement::faceOf(const Detection& found) const {
   if (!noise_.ofDepthCamera() || !does(Step::upright)) return nullptr;
   const double reach = kReachOfFaces * sigma_(found.extent.origin);
-  const Detection* largest = nullptr;
-  for (const Detection* face : faces_) {
-    if (!(face->axis_stddev <= kUprightDeviation) || !mayStandOn(*face, reach, found.extent)) continue;
-    if (!largest || face->inlier_count > largest->inlier_count) largest = face;
+  const Face* largest = nullptr;
+  for (const Face& face : faces_) {
+    if (!(face.axis_deviation <= kUprightDeviation) || !mayStandOn(*face.plane, reach, found.extent)) continue;
+    if (!largest || face.plane->inlier_count > largest->plane->inlier_count) largest = &face;
   }
   return largest;
 }
 
 /// The choice for the points of the part, made to stand upright where it may. Whether it is a cylinder or a cone is
 /// clear only where it becomes a cone.
-std::optional<PointsChoice> Measurement::upright(const Detection& face, PointsChoice choice, Leaning leaning) const {
-  const Vec3& normal = std::get<Plane>(face.shape).normal;
+std::optional<PointsChoice> Measurement::upright(const Face& face, PointsChoice choice, Leaning leaning) const {
+  const Vec3& normal = std::get<Plane>(face.plane->shape).normal;
   const std::optional<Shape> shape = uprightShape(choice.shape, normal, leaning, fit_points_, limits_);
   if (!shape) return std::nullopt;
   choice.shape = *shape;
-  choice.axis_deviation = std::hypot(kUprightDeviation, face.axis_stddev);
+  choice.axis_deviation = std::hypot(kUprightDeviation, face.axis_deviation);
+  choice.axis_waves = face.axis_waves;
   if (kindOf(*shape) == Kind::cone) choice.or_cone = choice.either = false;
   return choice;
 }
@@ -161,12 +163,17 @@ Shape Measurement::fittedToClear(const PointsChoice& from) {
 }
 
 /// Of a fit to the clear points.
-Uncertainty Measurement::uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const {
+Uncertainty Measurement::uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent,
+                                       const DepthWaves& waves) const {
   const auto from = [&](const SeenPoints& points) {
     const double shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : 1.0;
-    return measureUncertainty(fit, extent, points, sigma_, shared_noise, axis_deviation);
+    return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves}, axis_deviation);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);
+}
+
+Uncertainty Measurement::withWaves(const PointsChoice& from, const Detection& measured) const {
+  return uncertaintyOf(measured.shape, std::hypot(from.axis_deviation, from.axis_waves), measured.extent, waves_);
 }
 
 /// What is no part of the surface stands out from a fit that it has bent only after some fits without the worst of it.
@@ -195,7 +202,7 @@ double Measurement::trustInSizeOf(const Fit& fit) const {
 /// What is tried in place of a sharp cone that its points do not determine: upright, else the cylinder.
 std::optional<PointsChoice> Measurement::insteadOf(const Fit& doubtful, const Detection& found) {
   const Vec3 middle = fit_points_.middle();
-  const Detection* face = doubtful.from.upright() ? nullptr : faceOf(found);
+  const Face* face = doubtful.from.upright() ? nullptr : faceOf(found);
   if (face) {
     gatherPart(found);
     if (const auto choice = upright(*face, {doubtful.shape}, Leaning::any)) return choice;
@@ -222,7 +229,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 /// Without it cylinders and cones on tables are 2.6 mm too long in the median, with three times the noise 9.1.
 void Measurement::endAtFacesOrTip(Detection& detection) const {
   const double sigma = sigma_(detection.extent.origin), narrow = detection.extent.radius_small;
-  for (const Detection* face : faces_) endOn(*face, kReachOfFaces * sigma, detection.shape, detection.extent);
+  for (const Face& face : faces_) endOn(*face.plane, kReachOfFaces * sigma, detection.shape, detection.extent);
   // What ends on a face has no tip.
   if (detection.extent.radius_small == narrow) endAtTip(sigma, detection.shape, detection.extent);
 }
@@ -294,9 +301,9 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
-  const Uncertainty uncertainty = uncertaintyOf(detection.shape, fit.from.axis_deviation, detection.extent);
+  const Uncertainty by_noise = uncertaintyOf(detection.shape, fit.from.axis_deviation, detection.extent);
   if (does(Step::trust_in_size)) {
-    detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, uncertainty)));
+    detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, by_noise)));
   }
   if (does(Step::trust_in_evenness)) {
     const bool in_depth = noise_.ofDepthCamera();
@@ -310,13 +317,16 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
     const Plane& plane = std::get<Plane>(detection.shape);
     detection.confidence *= static_cast<float>(trustInFlat(plane, detection.extent, points_));
   }
+  const Uncertainty uncertainty = waves_.share > 0.0 ? withWaves(fit.from, detection) : by_noise;
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
   detection.position_stddev = static_cast<float>(uncertainty.position_stddev);
   detection.axis_stddev = static_cast<float>(uncertainty.axis_stddev);
   const bool likely = detection.confidence >= leastWhileChoosing(limits_.params);
-  if (likely && kindOf(detection.shape) == Kind::plane) faces_.push_back(&detection);
+  if (!likely || kindOf(detection.shape) != Kind::plane) return;
+  const double more = std::pow(uncertainty.axis_stddev, 2) - std::pow(by_noise.axis_stddev, 2);
+  faces_.push_back({&detection, by_noise.axis_stddev, std::sqrt(std::max(more, 0.0))});
 }
 
 }  // namespace primitect

@@ -26,6 +26,7 @@ namespace primitect {
 /// What tells which points count where a shape is looked for, and what they are fitted by; see toleratedScale().
 struct MeasurementNoise {
   NoiseModel tolerated, full;
+  DepthWaves waves = {};  ///< only covariances know of them: they are no reason to see less in an image
 };
 
 /// Of one frame.
@@ -52,17 +53,24 @@ class Measurement {
     PointsChoice from;
   };
 
+  struct Face {
+    const Detection* plane;
+    double axis_deviation, axis_waves;  ///< rad, of its normal: by its noise, and more by waves of the depth
+  };
+
   bool does(Step step) const { return limits_.params.does(step); }
   bool isFittedAlongRays(const Shape& shape) const;
   Shape unbiased(const Shape& fit) const;
   PointsChoice start(const Detection& found);
   void gatherClear(const List<std::uint32_t>& clear, const Detection& found);
   void gatherPart(const Detection& found);
-  const Detection* faceOf(const Detection& found) const;
-  std::optional<PointsChoice> upright(const Detection& face, PointsChoice choice, Leaning leaning) const;
+  const Face* faceOf(const Detection& found) const;
+  std::optional<PointsChoice> upright(const Face& face, PointsChoice choice, Leaning leaning) const;
   std::optional<PointsChoice> insteadOf(const Fit& doubtful, const Detection& found);
   Shape fittedToClear(const PointsChoice& from);
-  Uncertainty uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent) const;
+  Uncertainty uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent,
+                            const DepthWaves& waves = {}) const;
+  Uncertainty withWaves(const PointsChoice& from, const Detection& measured) const;
   double leaveOutThinEnds(const Shape& shape);
   double keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept);
   void endAtFacesOrTip(Detection& detection) const;
@@ -78,7 +86,8 @@ class Measurement {
   DepthRange range_;
   PointNoise sigma_;
   TruncationFinder truncation_;
-  List<const Detection*> faces_;  ///< likely planes measured so far
+  DepthWaves waves_;
+  List<Face> faces_;  ///< likely planes measured so far
   // Of one detection; their memory serves the next.
   SeenPoints points_, outermost_, clear_;
   FitPoints fit_points_;

@@ -9,6 +9,7 @@
 
 #include "core/arrangement.h"
 #include "core/curved_patch.h"
+#include "core/depth_waves.h"
 #include "core/evidence.h"
 #include "core/faces_apart.h"
 #include "core/frame_memory.h"
@@ -149,6 +150,7 @@ struct Detector::Workspace {
   std::optional<std::size_t> curvedUnder(const Labelled<Plane>& plane, const List<std::uint32_t>& pixels) const;
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
   bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);
+  DepthWaves findWaves(const List<List<std::uint32_t>>& clear_points) const;
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 

@@ -223,6 +223,20 @@ void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const 
   }
 }
 
+/// By the clear points of its large planes.
+DepthWaves Detector::Workspace::findWaves(const List<List<std::uint32_t>>& clear_points) const {
+  constexpr std::size_t kFewestPoints = 8192;
+  WaveFinder finder;
+  if (!depth_camera || !params.does(Step::depth_waves)) return finder.waves();
+  SeenPoints seen;
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    if (kindOf(result.items[k].shape) != Kind::plane || points[k].all < kFewestPoints) continue;
+    seen.gather(thinned.cloud(), clear_points[k]);
+    finder.see(seen);
+  }
+  return finder.waves();
+}
+
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   thin(whole);
   // Pixels of an image that is only like the camera's are not where its were.
@@ -233,22 +247,27 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
   const CloudNormals normals = {params.use_cloud_normals && normal_source.neighbor_count <= 0, params.orient_normals};
   const ClearPoints clear(cloud, normals, result.items, kept, labels, far_sides, verification.noise(),
                           depthRangeOf(params));
-  const MeasurementNoise noise = {verification.noise(), verification.fullNoise()};
-  Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   List<std::size_t> left;
   for (const LabelledPoints& of_item : points) left.push_back(of_item.all);
   const List<bool> enough = areEnough(left, whole);  // and none of what was not kept
+  List<List<std::uint32_t>> clear_points(result.items.size());
+  const bool take_all = !params.does(Step::clear_points);
+  for (std::size_t k = 0; k < result.items.size(); ++k) {
+    if (enough[k]) clear_points[k] = take_all ? points[k].index : clear.of(k, points[k].index);
+  }
+  const DepthWaves waves = findWaves(clear_points);
+  result.depth_waves = waves.share;
+  const MeasurementNoise noise = {verification.noise(), verification.fullNoise(), waves};
+  Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   const auto broken = [this](std::size_t k) -> std::optional<Refusal> {
     if (isLine(result.items[k], verification.noise())) return Refusal::too_small;
     return isTooWideCone(result.items[k], params) ? std::optional<Refusal>(Refusal::too_large) : std::nullopt;
   };
   const auto likely = [this](std::size_t k) { return result.items[k].confidence >= params.min_confidence; };
-  const bool take_all = !params.does(Step::clear_points);
   for (const std::size_t k : planesFirst(result.items)) {
     if (!enough[k]) continue;
-    const List<std::uint32_t> clear_of_item = take_all ? points[k].index : clear.of(k, points[k].index);
-    ClearPoints::OnSurface on_surface(clear, k, clear_of_item);
-    measurement.measure(points[k], clear_of_item, std::ref(on_surface), result.items[k]);
+    ClearPoints::OnSurface on_surface(clear, k, clear_points[k]);
+    measurement.measure(points[k], clear_points[k], std::ref(on_surface), result.items[k]);
     result.items[k].inlier_count = std::min(result.items[k].inlier_count, result.points_used);
   }
   distrustBentParts(enough);

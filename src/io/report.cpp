@@ -133,6 +133,7 @@ Json fileJson(const FileReport& report) {
   if (report.effort) json["effort"] = *report.effort;
   json["scene_diameter"] = found.scene_diameter;
   json["image_noise"] = found.image_noise;
+  json["depth_waves"] = found.depth_waves;
   json["seen_from_origin"] = found.seen_from_origin;
   json["sensor"] = sensorJson(report);
   json["refused"] = refusalsJson(found.refusals);

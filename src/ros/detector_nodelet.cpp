@@ -112,7 +112,7 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   tellProblems(message.status);
   const std::string& refused = sequence_->problem();
   const FramePipeline& done = pipeline();
-  FrameView view = {done.seenFromOrigin(), done.normalsFaceAway(), done.imageNoise(), std::nullopt};
+  FrameView view = {done.seenFromOrigin(), done.normalsFaceAway(), done.imageNoise(), done.depthWaves(), std::nullopt};
   view.found_camera = done.foundCamera();
   diagnostics_->frameDone(message, done.refusals(), view, refused.empty() ? sequence_->frameProblem() : refused);
   publish(message);

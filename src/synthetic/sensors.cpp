@@ -30,14 +30,23 @@ NoiseParams ofTimeOfFlight() {
   return params;
 }
 
+NoiseParams ofUncalibrated() {
+  NoiseParams params;
+  params.waves = 0.0025;
+  params.wave_length = 71;
+  return params;
+}
+
 struct Sensor {
   const char* name;
   NoiseParams noise;
 };
 
 const std::vector<Sensor>& sensors() {
-  static const std::vector<Sensor> all = {
-      {"structured_light", {}}, {"stereo", ofStereo()}, {"time_of_flight", ofTimeOfFlight()}};
+  static const std::vector<Sensor> all = {{"structured_light", {}},
+                                          {"stereo", ofStereo()},
+                                          {"time_of_flight", ofTimeOfFlight()},
+                                          {"uncalibrated", ofUncalibrated()}};
   return all;
 }
 

@@ -76,7 +76,7 @@ TEST(Covariance, GrowsWithTheNumberOfPointsThatShareTheirNoise) {
   const Patch patch = test::randomPatch(Kind::sphere, 100, random);
   const NoisyFit fit(patch, 0.001, NoiseDirection::any, random);
   const Hessian alone = measureCovariance(*fit.shape, fit.measured, fit.noise());
-  const Hessian shared = measureCovariance(*fit.shape, fit.measured, fit.noise(), 3.0);
+  const Hessian shared = measureCovariance(*fit.shape, fit.measured, fit.noise(), {3.0, {}});
   EXPECT_LT((shared - 3.0 * alone).norm(), 1e-12 * shared.norm());
 }
 
@@ -281,7 +281,7 @@ TEST(PoseCovariance, IsThatOfAHeldAxis) {
     ASSERT_TRUE(fit.shape);
     const Extent extent = measureExtent(*fit.shape, fit.measured);
     const auto with = [&](double deviation) {
-      return measureUncertainty(*fit.shape, extent, fit.measured, fit.noise(), 1.0, deviation);
+      return measureUncertainty(*fit.shape, extent, fit.measured, fit.noise(), {}, deviation);
     };
     const Uncertainty alone = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
     const Uncertainty held = with(kHeld), poorly = with(1.0), exactly = with(1e-6);

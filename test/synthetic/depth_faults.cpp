@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "synthetic/sensors.h"
@@ -138,11 +139,13 @@ TEST(Sensors, HaveTheirShadowsAndWaves) {
   int missing = 0;
   for (int column = 0; column < kCamera.width; ++column) missing += std::isnan(at(depth, column)) ? 1 : 0;
   EXPECT_NEAR(missing, kCamera.fx * 0.05 * (1.0 / 0.8 - 1.0 / 1.6), 2.0);
-  NoiseParams flight = noiseOf("time_of_flight");
-  flight.scale = 0.0;
-  std::vector<float> wall = step(1.0f, 1.0f);
-  addNoise(flight, kCamera, 3, 0, wall);
-  EXPECT_NEAR(deviation(wall, 1.0), 0.0015, 1e-5);
+  for (const auto& [sensor, waves] : {std::pair("time_of_flight", 0.0015), std::pair("uncalibrated", 0.0025)}) {
+    NoiseParams params = noiseOf(sensor);
+    params.scale = params.disparity_step = 0.0;
+    std::vector<float> wall = step(1.0f, 1.0f);
+    addNoise(params, kCamera, 3, 0, wall);
+    EXPECT_NEAR(deviation(wall, 1.0), waves, 1e-5) << sensor;
+  }
 }
 
 TEST(Sensors, AllHaveNoiseThatIsAllowed) {

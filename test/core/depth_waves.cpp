@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The primitect developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Depths that are off in waves over the image: how large these are said to be, and what covariances make of them.
+#include "core/depth_waves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/random.h"
+#include "primitect/detector.h"
+#include "synthetic/depth_faults.h"
+#include "synthetic/noise_field.h"
+#include "synthetic/sensors.h"
+#include "test/support/fit_errors.h"
+#include "test/support/rendered_cloud.h"
+
+namespace primitect::depth_waves_test {
+namespace {
+
+using synthetic::PinholeCamera;
+
+constexpr int kLength = 71;  // px
+
+/// A plane as a camera sees it that errs in waves of this share of the depth, and by noise of this one in every pixel.
+struct SeenPlane {
+  Vec3 normal = Vec3(0.1, -0.6, -0.8).normalized();
+  double share = 0.0025, noise = 0.002;
+  int rows = 480, columns = 640;  ///< of the image, in its upper left corner
+  std::size_t count = 2048;       ///< of its pixels, evenly taken
+
+  SeenPoints points(std::uint64_t seed) const {
+    const PinholeCamera camera;
+    const Vec3 place(0.0, 0.0, 1.0);
+    std::vector<float> depth(camera.pixelCount());
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+      depth[i] = static_cast<float>(normal.dot(place) / normal.dot(rayOf(i, camera)));
+    }
+    if (share > 0.0) synthetic::bend(share, kLength, camera, seed, depth);
+    Random random(seed + 1000);
+    std::vector<Vec3> points;
+    const std::size_t all = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t number = k * all / count, width = static_cast<std::size_t>(columns);
+      const std::size_t i = number / width * static_cast<std::size_t>(camera.width) + number % width;
+      points.push_back(static_cast<double>(depth[i]) * (1.0 + noise * random.gaussian()) * rayOf(i, camera));
+    }
+    return points;
+  }
+
+  DepthWaves found(std::uint64_t seed) const {
+    WaveFinder finder;
+    finder.see(points(seed));
+    return finder.waves();
+  }
+
+  static Vec3 rayOf(std::size_t i, const PinholeCamera& camera) {
+    const auto width = static_cast<std::size_t>(camera.width);
+    return {(static_cast<double>(i % width) - camera.cx) / camera.fx,
+            (static_cast<double>(i / width) - camera.cy) / camera.fy, 1.0};
+  }
+};
+
+TEST(DepthWaves, AreAsLargeAndAsLongAsTheyAre) {
+  constexpr int kSeeds = 12;
+  double logarithms = 0.0, reaches = 0.0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const SeenPlane plane;
+    const DepthWaves waves = plane.found(seed);
+    ASSERT_GT(waves.share, 0.5 * plane.share) << seed;
+    EXPECT_LT(waves.share, 2.0 * plane.share) << seed;
+    logarithms += std::log(waves.share / plane.share) / kSeeds;
+    reaches += waves.reach / kSeeds;
+  }
+  EXPECT_NEAR(std::exp(logarithms), 1.0, 0.25);
+  // That of waveField is Gaussian, with half of the likeness at its length.
+  EXPECT_NEAR(reaches, kLength / PinholeCamera().fx, 0.25 * kLength / PinholeCamera().fx);
+}
+
+TEST(DepthWaves, ShowOnPlanesOfAnySlant) {
+  for (const Vec3& normal : {Vec3(0, 0, -1), Vec3(0.8, 0.0, -0.6), Vec3(0.0, -0.9, -0.44)}) {
+    SeenPlane plane;
+    plane.normal = normal.normalized();
+    double shares_sq = 0.0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) shares_sq += std::pow(plane.found(seed).share, 2) / 8.0;
+    EXPECT_NEAR(std::sqrt(shares_sq), plane.share, 0.35 * plane.share) << normal.transpose();
+  }
+}
+
+TEST(DepthWaves, AreNoneWhereThereIsOnlyNoise) {
+  for (const double noise : {0.0005, 0.002, 0.008}) {
+    SeenPlane plane;
+    plane.share = 0.0;
+    plane.noise = noise;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) EXPECT_EQ(plane.found(seed).share, 0.0) << noise << " " << seed;
+  }
+}
+
+TEST(DepthWaves, AreNoneThatNoiseHides) {
+  SeenPlane plane;
+  plane.share = 0.0002;
+  plane.noise = 0.008;
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) found += plane.found(seed).share > 0.0 ? 1 : 0;
+  EXPECT_LE(found, 1);
+}
+
+TEST(DepthWaves, NeedALargePlane) {
+  SeenPlane few, small;
+  few.count = 255;
+  small.rows = small.columns = 90;  // six cells by six
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_EQ(few.found(seed).share, 0.0) << seed;
+    EXPECT_EQ(small.found(seed).share, 0.0) << seed;
+  }
+  WaveFinder nothing;
+  nothing.see({});
+  nothing.see(std::vector<Vec3>(2048, Vec3(0, 0, 1)));
+  EXPECT_EQ(nothing.waves().share, 0.0);
+}
+
+TEST(DepthWaves, OfSeveralPlanesAreTakenTogether) {
+  SeenPlane plane;
+  plane.share = 0.001;
+  plane.noise = 0.006;
+  plane.columns = 300;
+  int alone = 0, together = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    WaveFinder finder;
+    for (const std::uint64_t part : {0, 100, 200, 300}) finder.see(plane.points(seed + part));
+    together += finder.waves().share > 0.0 ? 1 : 0;
+    alone += plane.found(seed).share > 0.0 ? 1 : 0;
+  }
+  EXPECT_GE(together, alone + 4) << alone;
+}
+
+/// Of patches whose points err by waves and by noise; waves are said to be as they are found on a plane.
+struct Errors {
+  double alone = 0.0, with_waves = 0.0;
+};
+
+Errors normalisedErrors(Kind kind) {
+  constexpr int kSeeds = 30;
+  constexpr double kNoise = 0.002, kShare = 0.0025;
+  const PinholeCamera camera;
+  SeenPlane plane;
+  plane.share = kShare;
+  Errors mean;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Random random(seed);
+    const test::Patch patch = test::randomPatch(kind, 2000, random);
+    const std::vector<float> field = synthetic::waveField(kLength, camera, seed);
+    std::vector<test::SurfacePoint> points = patch.points;
+    std::vector<Vec3> measured;
+    for (test::SurfacePoint& p : points) {
+      const int column = static_cast<int>(camera.cx + camera.fx * p.point.x() / p.point.z());
+      const int row = static_cast<int>(camera.cy + camera.fy * p.point.y() / p.point.z());
+      const int inside = std::clamp(row, 0, camera.height - 1) * camera.width + std::clamp(column, 0, camera.width - 1);
+      const double off = kShare * static_cast<double>(field[static_cast<std::size_t>(inside)]);
+      p.point += off * p.point + kNoise * random.gaussian() * p.normal;
+      measured.push_back(p.point);
+    }
+    // So wide that all of the points count.
+    const auto noise = [](const Vec3&) { return 2.0 * kNoise; };
+    const std::optional<Shape> fit = test::fitTo(points, patch.truth, noise);
+    if (!fit) return {std::nan(""), std::nan("")};
+    const auto errorOf = [&](const SharedErrors& shared) {
+      const Hessian covariance = measureCovariance(*fit, measured, noise, shared);
+      return test::normalisedError(*fit, patch.truth, covariance) / kSeeds;
+    };
+    mean.alone += errorOf({});
+    mean.with_waves += errorOf({1.0, plane.found(seed)});
+  }
+  return mean;
+}
+
+TEST(DepthWaves, MakeTheCovarianceThatOfTheErrors) {
+  for (const Kind kind : test::kKinds) {
+    const Errors errors = normalisedErrors(kind);
+    EXPECT_GT(errors.alone, 10.0) << kindName(kind);
+    EXPECT_GT(errors.with_waves, 0.6) << kindName(kind);
+    EXPECT_LT(errors.with_waves, 1.8) << kindName(kind);
+  }
+}
+
+/// A ball on a table, seen by a camera that nobody calibrated.
+constexpr double kRadius = 0.08;
+
+Cloud ballOnTable(const std::string& sensor, std::uint64_t seed) {
+  synthetic::World world;
+  const Eigen::Isometry3d table = test::tableBeforeCamera(0.9, 0.9);
+  world.add("table", synthetic::Sheet{0.5, 0.35}, table);
+  world.add("ball", synthetic::Ball{kRadius}, table * Eigen::Translation3d(0.0, 0.0, kRadius));
+  synthetic::FrameParams params;
+  params.noise = synthetic::noiseOf(sensor);
+  return test::renderedCloud(world, params, seed);
+}
+
+const Detection* ballOf(const Detections& found) {
+  for (const Detection& item : found.items) {
+    if (kindOf(item.shape) == Kind::sphere) return &item;
+  }
+  return nullptr;
+}
+
+TEST(DepthWaves, AreInTheCovariancesOfAFrame) {
+  constexpr int kSeeds = 12;
+  Params without;
+  without.left_out.add(Step::depth_waves);
+  Detector with_step{Params()}, without_step{without};
+  double with_waves = 0.0, alone = 0.0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const Cloud cloud = ballOnTable("uncalibrated", seed);
+    const Detections& found = with_step.detect(cloud);
+    const Detections& blind = without_step.detect(cloud);
+    EXPECT_NEAR(found.depth_waves, 0.0025, 0.0015) << seed;
+    EXPECT_EQ(blind.depth_waves, 0.0) << seed;
+    const Detection *const ball = ballOf(found), *const same = ballOf(blind);
+    ASSERT_TRUE(ball && same) << seed;
+    // All else stays as it is.
+    ASSERT_EQ(found.items.size(), blind.items.size()) << seed;
+    for (std::size_t k = 0; k < found.items.size(); ++k) {
+      EXPECT_EQ(found.items[k].confidence, blind.items[k].confidence) << seed;
+      EXPECT_EQ(found.items[k].extent.origin, blind.items[k].extent.origin) << seed;
+      EXPECT_GT(found.items[k].position_stddev, blind.items[k].position_stddev) << seed;
+    }
+    const Vec3 off =
+        std::get<Sphere>(ball->shape).center - Vec3(0.0, -std::cos(0.9) * kRadius, 0.9 - std::sin(0.9) * kRadius);
+    const auto errorIn = [&off](const Detection& item) {
+      const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> covariance(item.covariance.data());
+      return off.dot(Eigen::Matrix3d(covariance.topLeftCorner<3, 3>()).ldlt().solve(off)) / 3.0 / kSeeds;
+    };
+    with_waves += errorIn(*ball);
+    alone += errorIn(*same);
+  }
+  EXPECT_GT(alone, 10.0);
+  EXPECT_GT(with_waves, 0.3);
+  EXPECT_LT(with_waves, 2.5);
+}
+
+TEST(DepthWaves, AreNotSeenWhereTheCameraHasNone) {
+  Detector detector{Params()};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    EXPECT_EQ(detector.detect(ballOnTable("structured_light", seed)).depth_waves, 0.0) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace primitect::depth_waves_test
