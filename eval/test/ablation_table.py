@@ -52,8 +52,8 @@ def test_every_method_is_measured_on_every_cloud_and_those_that_are_timed_severa
         assert len(set(experiment.seeds.values())) == 1 and len(experiment.seeds) == len(STEPS) + 1
     again = [e.recipe.set for e in ablation.experiments(STEPS, 20) if e.repeat == ablation.MORE_REPEATS[-1]]
     assert "tabletop" in again and "paper-mixed" in again and "household" not in again
-    only = ablation.experiments(STEPS, 20, ["clutter"])
-    assert [e.recipe for e in only] == [Recipe("clutter")] and only[0].seeds[ablation.WHOLE] == 40
+    only = ablation.experiments(STEPS, 20, ["cut out"])
+    assert [e.recipe for e in only] == [Recipe("objects")] and only[0].seeds[ablation.WHOLE] == 60
 
 
 def test_more_with_a_step_is_what_it_brings():
