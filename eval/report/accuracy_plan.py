@@ -102,12 +102,12 @@ def other_camera_rows():
     section = "Tables seen by other cameras"
     for title, recipe in (("stereo", Recipe("tabletop", sensor="stereo")),
                           ("time of flight", Recipe("tabletop", sensor="time_of_flight")),
-                          ("structured light that nobody calibrated", Recipe("tabletop", sensor="uncalibrated")),
-                          ("... things of several parts", Recipe("household", sensor="uncalibrated")),
+                          ("structured light, bent", Recipe("tabletop", sensor="bent_structured_light")),
+                          ("... things of several parts, bent", Recipe("household", sensor="bent_structured_light")),
                           ("a fifth of the image lost in blots", Recipe("tabletop", blots=0.2)),
                           ("nothing but clutter, stereo", Recipe("clutter", sensor="stereo")),
                           ("nothing but clutter, time of flight", Recipe("clutter", sensor="time_of_flight")),
-                          ("nothing but clutter, uncalibrated", Recipe("clutter", sensor="uncalibrated"))):
+                          ("nothing but clutter, bent", Recipe("clutter", sensor="bent_structured_light"))):
         yield Row(section, title, recipe, "all", ())
     for scale, grain in ((2.0, 1), (3.0, 1), (2.0, 5), (3.0, 5)):
         title = "noise x %g" % scale + (", in grains of %d px" % grain if grain > 1 else "")

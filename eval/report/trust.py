@@ -18,6 +18,7 @@ CUT_OUT = "objects"
 SCENES, DEPTH_FRAMES, SHUFFLED = "scenes", "depth frames", "shuffled frames"
 CUT_OUTS, NOISY, GRAINY = "cut out of frames", "frames with more noise", "frames with noise in grains"
 OTHER_SENSORS = "frames of other sensors, and with blots"
+BENT = "frames that the sensor bends"
 MOVED, VOXELS = "frames in a robot's frame", "frames in voxels"
 
 
@@ -81,6 +82,8 @@ def group_of(line):
         return VOXELS
     if line.get("shuffle"):
         return SHUFFLED
+    if line.get("sensor") == "bent_structured_light":
+        return BENT
     if line.get("sensor", "structured_light") != "structured_light" or line.get("blots", 0.0) > 0.0:
         return OTHER_SENSORS
     if line.get("noise_grain", 1) > 1:
@@ -93,7 +96,7 @@ def group_of(line):
 def groups(lines):
     """Lines with detections by the name of their group."""
     chosen = {name: [] for name in (SCENES, DEPTH_FRAMES, SHUFFLED, VOXELS, MOVED, CUT_OUTS, NOISY, GRAINY,
-                                 OTHER_SENSORS)}
+                                 OTHER_SENSORS, BENT)}
     for line in lines:
         chosen[group_of(line)].append(line)
     return {name: some for name, some in chosen.items() if detections(some)}

@@ -110,7 +110,8 @@ def test_frames_that_were_shuffled_stand_apart():
     for given, group in (({"robot_frame": True}, "shuffled frames"), ({}, "shuffled frames"),
                          ({"robot_frame": True, "shuffle": True}, "frames in a robot's frame"),
                          ({"robot_frame": True, "voxel": 0.005}, "frames in a robot's frame"),
-                         ({"voxel": 0.005}, "frames in voxels"), ({"sensor": "stereo"}, trust.OTHER_SENSORS)):
+                         ({"voxel": 0.005}, "frames in voxels"), ({"sensor": "stereo"}, trust.OTHER_SENSORS),
+                         ({"sensor": "bent_structured_light"}, trust.BENT)):
         assert trust.group_of(line(set="tabletop", listed=True, **given)) == group, given
     lines = [line(set="tabletop", shuffle=shuffle, detections=[found(0.9, "right", total=[error, 4])])
              for shuffle, error in ((False, 4.0), (True, 40.0))]

@@ -24,41 +24,13 @@ struct FitSums {
   double psi_sq = 0.0;                    ///< of psi^2
   double slope = 0.0;                     ///< of psi'
   double slope_sq = 0.0;                  ///< of psi'^2
-  Hessian waves = Hessian::Zero();        ///< covariance of the sum of g d / sigma^2, d: what waves make of distances
 };
 
 /// A mean over more points would differ by less than its own scatter: 6 % of variances, 3 % of deviations.
 constexpr std::size_t kMostFitPoints = 509;
 using SomeInliers = SomePoints<kMostFitPoints>;
 
-/// What waves put into the sum of g d / sigma^2 over the points. A relative error of the depth at p moves it by that
-/// share of p, and its distance by the share of n.p. From some of the points, as every pair of them counts; in double,
-/// as of what the points hardly determine little more than rounding would be left.
-Hessian waveScores(const SomeInliers& points, const Feet<SomeInliers::kRoom>& feet,
-                   const FlatGradients<SomeInliers::kRoom>& gradients, const float* inverse, const DepthWaves& waves) {
-  constexpr std::size_t kMost = 64;
-  const std::size_t count = std::min(points.count, kMost);
-  Eigen::Matrix<double, kMostParameters, kMost> scores = decltype(scores)::Zero(), alike = scores;
-  double u[kMost], v[kMost];
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = k * points.count / count;
-    const Vec3 p = points.point(i);
-    const double along = p.dot(Vec3(feet.nx[i], feet.ny[i], feet.nz[i]));
-    const double weight = static_cast<double>(inverse[i]) * inverse[i];
-    u[k] = p.x() / p.z(), v[k] = p.y() / p.z();
-    for (int r = 0; r < gradients.rows; ++r) scores(r, k) = gradients.row[r][i] * along * weight;
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t other = 0; other < count; ++other) {
-      const double across = u[k] - u[other], down = v[k] - v[other];
-      alike.col(k) += waves.alike(across * across + down * down) * scores.col(other);
-    }
-  }
-  const double each = static_cast<double>(points.count) / static_cast<double>(count);
-  return waves.share * waves.share * each * each * alike.lazyProduct(scores.transpose());
-}
-
-FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& sigma, const DepthWaves& waves) {
+FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& sigma) {
   const Feet<SomeInliers::kRoom> feet(shape, points);
   FitSums sums;
   float one[SomeInliers::kRoom], inverse[SomeInliers::kRoom], score[SomeInliers::kRoom];
@@ -81,7 +53,6 @@ FitSums sumsOf(const Shape& shape, const SomeInliers& points, const PointNoise& 
                                                     points.count);
   sums.information = sumOfSquares(gradients, inverse, points.count);
   sums.scores = sumOfSquares(gradients, score, points.count);
-  if (waves.share > 0.0 && points.count > 0) sums.waves = waveScores(points, feet, gradients, inverse, waves);
   return sums;
 }
 
@@ -155,14 +126,67 @@ Hessian covarianceOf(const FitSums& sums, int parameters) {
   return factor * directions.fit * scores * directions.fit + directions.unknown;
 }
 
+/// What waves make of a fit. A relative error of the depth at p moves it by that share of p, and its distance by the
+/// share of n.p. From some of the points, as every pair of them counts; and the map from errors to parameters is from
+/// the same ones, so that what moves all depths alike only makes the shape larger or smaller. In double: of what points
+/// hardly determine little more than rounding would be left.
+Hessian covarianceOf(const DepthWaves& waves, const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
+  constexpr std::size_t kMost = 64;
+  using Points = SomePoints<kMost>;
+  const Points points(inliers);
+  if (points.count == 0) return Hessian::Zero();
+  const Feet<Points::kRoom> feet(shape, points);
+  const FlatGradients<Points::kRoom> gradients(shape, points.origin, points.x, points.y, points.z, feet, points.count);
+  float one[Points::kRoom], inverse[Points::kRoom];
+  sigma.at(points, one);
+  Eigen::Matrix<double, kMostParameters, kMost> moved = decltype(moved)::Zero();
+  double u[kMost], v[kMost];
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const Vec3 p = points.point(k), normal(feet.nx[k], feet.ny[k], feet.nz[k]);
+    const bool within = std::abs(feet.distance[k]) < static_cast<float>(kInlierDeviations) * one[k];
+    inverse[k] = within ? 1.0f / one[k] : 0.0f;
+    u[k] = p.x() / p.z(), v[k] = p.y() / p.z();
+    const double weight = p.dot(normal) * inverse[k] * inverse[k];
+    for (int r = 0; r < gradients.rows; ++r) moved(r, k) = weight * gradients.row[r][k];
+  }
+  const Hessian information = sumOfSquares(gradients, inverse, points.count);
+  moved = (directionsOf(information, parameterCount(kindOf(shape))).fit * moved).eval();
+  Hessian covariance = Hessian::Zero();
+  for (std::size_t k = 0; k < points.count; ++k) {
+    Gradient with_others = 0.5 * waves.covariance(0.0) * moved.col(k);
+    for (std::size_t other = 0; other < k; ++other) {
+      const double across = u[k] - u[other], down = v[k] - v[other];
+      with_others += waves.covariance(across * across + down * down) * moved.col(other);
+    }
+    covariance += moved.col(k) * with_others.transpose() + with_others * moved.col(k).transpose();
+  }
+  return covariance.allFinite() ? covariance : Hessian(Hessian::Zero());
+}
+
+/// Of the parameters, by their cause.
+struct Causes {
+  Hessian noise, waves;
+};
+
+Causes causesOf(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, const SharedErrors& shared) {
+  const SomeInliers points(inliers);
+  const int parameters = parameterCount(kindOf(shape));
+  const Hessian noise = points.share * shared.noise * covarianceOf(sumsOf(shape, points, sigma), parameters);
+  return {capped(noise.allFinite() ? noise : unknown(parameters)),
+          shared.waves.any() ? covarianceOf(shared.waves, shape, inliers, sigma) : Hessian(Hessian::Zero())};
+}
+
 /// Of a cylinder or a cone whose axis was held in the fit, and is off by this (rad) on its own account: all else goes
 /// with the axis as the points say, and is as uncertain as they leave it for a given axis.
-Hessian withHeldAxis(const Hessian& covariance, const Shape& shape, double deviation) {
+Hessian withHeldAxis(const Causes& causes, const Shape& shape, double deviation) {
   const int first = kindOf(shape) == Kind::cylinder ? 2 : 3;  // turns, see residuals.h
-  const Eigen::Matrix2d turns = covariance.block<2, 2>(first, first);
-  if (!(turns.determinant() > 0.0)) return covariance;
-  const Eigen::Matrix<double, kMostParameters, 2> by_turn = covariance.middleCols<2>(first) * turns.inverse();
-  return covariance + by_turn * (deviation * deviation * Eigen::Matrix2d::Identity() - turns) * by_turn.transpose();
+  const Eigen::Matrix2d turns = causes.noise.block<2, 2>(first, first);
+  if (!(turns.determinant() > 0.0)) return causes.noise + causes.waves;
+  const Eigen::Matrix<double, kMostParameters, 2> by_turn = causes.noise.middleCols<2>(first) * turns.inverse();
+  Hessian held = Hessian::Identity();
+  held.middleCols<2>(first) -= by_turn;
+  return causes.noise + held * causes.waves * held.transpose() +
+         by_turn * (deviation * deviation * Eigen::Matrix2d::Identity() - turns) * by_turn.transpose();
 }
 
 /// How the origin of the pose shifts (rows 0 to 2) and turns (3 to 5) with the local parameters, what is not observed,
@@ -249,25 +273,8 @@ double largestDeviation(const Eigen::Matrix3d& covariance) {
   return std::sqrt(std::max(solver.eigenvalues()[2], 0.0));
 }
 
-}  // namespace
-
-Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
-                          const SharedErrors& shared) {
-  const SomeInliers points(inliers);
-  const int parameters = parameterCount(kindOf(shape));
-  const FitSums sums = sumsOf(shape, points, sigma, shared.waves);
-  Hessian covariance = points.share * shared.noise * covarianceOf(sums, parameters);
-  if (shared.waves.share > 0.0) {
-    const Hessian fit = directionsOf(sums.information, parameters).fit;
-    covariance += fit * sums.waves * fit;
-  }
-  return capped(covariance.allFinite() ? covariance : unknown(parameters));
-}
-
-Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const PointNoise& sigma, const SharedErrors& shared, double axis_deviation) {
-  const Hessian by_points = measureCovariance(shape, inliers, sigma, shared);
-  const Hessian local = std::isfinite(axis_deviation) ? withHeldAxis(by_points, shape, axis_deviation) : by_points;
+/// What is published of these parameters.
+Uncertainty uncertaintyOf(const Shape& shape, const Extent& extent, const Hessian& local) {
   const Published published = std::visit([&](const auto& s) { return publish(s, extent); }, shape);
   Hessian observed = published.jacobian * local * published.jacobian.transpose();
   if (const Cone* cone = std::get_if<Cone>(&shape)) {
@@ -282,6 +289,25 @@ Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const S
   uncertainty.position_stddev = largestDeviation(observed.topLeftCorner<3, 3>());
   uncertainty.axis_stddev = largestDeviation(observed.bottomRightCorner<3, 3>());
   return uncertainty;
+}
+
+}  // namespace
+
+Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
+                          const SharedErrors& shared) {
+  const Causes causes = causesOf(shape, inliers, sigma, shared);
+  return capped(causes.noise + causes.waves);
+}
+
+Uncertainties measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
+                                 const PointNoise& sigma, const SharedErrors& shared, const HeldAxis& axis) {
+  const Causes causes = causesOf(shape, inliers, sigma, shared);
+  const auto from = [&](const Causes& some, double deviation) {
+    const bool held = std::isfinite(deviation);
+    return uncertaintyOf(shape, extent, held ? withHeldAxis(some, shape, deviation) : capped(some.noise + some.waves));
+  };
+  const Uncertainty by_noise = from({causes.noise, Hessian::Zero()}, axis.by_noise);
+  return {by_noise, shared.waves.any() ? from(causes, axis.by_all) : by_noise};
 }
 
 }  // namespace primitect

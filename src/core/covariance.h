@@ -41,13 +41,23 @@ struct SharedErrors {
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
                           const SharedErrors& shared = {});
 
+/// Rad, finite where the fit held the axis of a cylinder or a cone: by how much that is off, by noise alone and with
+/// waves.
+struct HeldAxis {
+  double by_noise = std::numeric_limits<double>::infinity();
+  double by_all = by_noise;
+};
+
+/// What decides what is believed, and what is published.
+struct Uncertainties {
+  Uncertainty by_noise, by_all;
+};
+
 /// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
 /// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a
 /// cone is taken as fixed to it, at its height above the apex: along the axis it is as uncertain as the apex. The
-/// radius of a cone is that where its wide end was seen. axis_deviation: rad, of the axis of a cylinder or a cone
-/// where the fit held it; infinite where it did not.
-Uncertainty measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
-                               const PointNoise& sigma, const SharedErrors& shared = {},
-                               double axis_deviation = std::numeric_limits<double>::infinity());
+/// radius of a cone is that where its wide end was seen.
+Uncertainties measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
+                                 const PointNoise& sigma, const SharedErrors& shared = {}, const HeldAxis& axis = {});
 
 }  // namespace primitect

@@ -5,11 +5,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/competition.h"
+#include "core/covariance.h"
 #include "core/fit_points.h"
 #include "core/frame_memory.h"
 #include "core/label_runs.h"
@@ -50,11 +50,10 @@ struct PointsChoice {
   /// It is a cylinder, and a cone of 4 deg or more within the limits explains them nearly as well: which of the two
   /// it is nobody can tell.
   bool either = false;
-  /// Rad; finite: its axis is the normal of a face (upright.h), as well as that is known, and stays.
-  double axis_deviation = std::numeric_limits<double>::infinity();
-  double axis_waves = 0.0;  ///< rad, what waves of the depth add to that: only covariances know of them
+  /// Finite: its axis is the normal of a face (upright.h), as well as that is known, and stays.
+  HeldAxis axis = {};
 
-  bool upright() const { return std::isfinite(axis_deviation); }
+  bool upright() const { return std::isfinite(axis.by_noise); }
 };
 
 /// The shape fitted to its points, whose noise is known; the old one when that fails or breaks the limits. On many

@@ -5,23 +5,22 @@
 #include "core/depth_waves.h"
 
 #include <Eigen/Cholesky>
-#include <cmath>
-#include <limits>
+#include <algorithm>
 
 #include "core/float_range.h"
+#include "core/frame_memory.h"
 
 namespace primitect {
 namespace {
 
-constexpr double kCell = 0.03;  // of x / z and y / z: 16 pixels of a usual camera
-constexpr std::array kCellsApart = {1, 2, 3, 4, 6, 8, 12};
-constexpr float kFewestInCell = 2.0f;
-
-/// Points of one cell: relative errors of the depth.
-struct Cell {
+/// Points of one cell of the image: relative errors of their depths.
+struct ImageCell {
   float count = 0.0f, sum = 0.0f, squares = 0.0f;
-  bool tells() const { return count >= kFewestInCell; }
+
+  bool tells() const { return count >= 2.0f; }
   double mean() const { return sum / count; }
+  /// Of the mean, by the noise of its points.
+  double variance() const { return (squares - sum * mean()) / (count - 1.0f) / count; }
 };
 
 /// Where points are seen (x / z, y / z), and 1 / z, which of a plane is linear in these.
@@ -39,134 +38,148 @@ struct InverseDepths {
   }
 };
 
-/// Relative errors of the depths, from the plane of least squares. u and v are counted from the middle.
+/// Relative errors of the depths, from the plane for which their squares are least.
 List<float> errorsOf(const InverseDepths& p, float middle_u, float middle_v) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const auto rowOf = [&](std::size_t k) -> Eigen::Vector3f {
+    return Eigen::Vector3f(p.u[k] - middle_u, p.v[k] - middle_v, 1.0f) / p.inverse[k];
+  };
   for (std::size_t k = 0; k < p.u.size(); ++k) {
-    const Eigen::Vector3d row(p.u[k] - middle_u, p.v[k] - middle_v, 1.0);
+    const Eigen::Vector3d row = rowOf(k).cast<double>();
     normal += row * row.transpose();
-    right += row * static_cast<double>(p.inverse[k]);
+    right += row;
   }
   const Eigen::Vector3f plane = normal.ldlt().solve(right).cast<float>();
   List<float> errors(p.u.size());
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    const float fitted = plane.x() * (p.u[k] - middle_u) + plane.y() * (p.v[k] - middle_v) + plane.z();
-    errors[k] = fitted / p.inverse[k] - 1.0f;
-  }
+  for (std::size_t k = 0; k < errors.size(); ++k) errors[k] = plane.dot(rowOf(k)) - 1.0f;
   return errors;
 }
 
-/// Cells of one plane in rows.
-struct Cells {
-  int columns = 0, rows = 0;
-  List<Cell> all;
-  double variance = 0.0;  ///< of single points within their cells
-  int telling = 0;
+/// Cells of the image of one plane.
+class ImageCells {
+ public:
+  ImageCells(const InverseDepths& p, const FloatRange& u, const FloatRange& v, float edge)
+      : columns_(static_cast<int>((u.high - u.low) / edge) + 1),
+        rows_(static_cast<int>((v.high - v.low) / edge) + 1),
+        cells_(static_cast<std::size_t>(columns_ * rows_)) {
+    const List<float> errors = errorsOf(p, 0.5f * (u.low + u.high), 0.5f * (v.low + v.high));
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const int column = static_cast<int>((p.u[k] - u.low) / edge), row = static_cast<int>((p.v[k] - v.low) / edge);
+      ImageCell& cell = cells_[static_cast<std::size_t>(row * columns_ + column)];
+      cell.count += 1.0f, cell.sum += errors[k], cell.squares += errors[k] * errors[k];
+    }
+  }
 
-  const Cell& at(int column, int row) const { return all[static_cast<std::size_t>(row * columns + column)]; }
+  int telling() const {
+    return static_cast<int>(std::count_if(cells_.begin(), cells_.end(), [](const ImageCell& c) { return c.tells(); }));
+  }
+
+  /// Calls use(before, cell, after) for all three in a row or a column that tell and are so many cells apart.
+  template <class Use>
+  void forThree(int apart, const Use& use) const {
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        if (column >= apart && column + apart < columns_) useThree(column, row, apart, 0, use);
+        if (row >= apart && row + apart < rows_) useThree(column, row, 0, apart, use);
+      }
+    }
+  }
+
+ private:
+  const ImageCell& at(int column, int row) const { return cells_[static_cast<std::size_t>(row * columns_ + column)]; }
+
+  template <class Use>
+  void useThree(int column, int row, int right, int down, const Use& use) const {
+    const ImageCell &before = at(column - right, row - down), &after = at(column + right, row + down);
+    if (before.tells() && at(column, row).tells() && after.tells()) use(before, at(column, row), after);
+  }
+
+  int columns_, rows_;
+  List<ImageCell> cells_;
 };
 
-Cells cellsOf(const InverseDepths& p) {
-  constexpr float kMostAlong = 200.0f;
-  const FloatRange u(p.u.data(), p.u.size()), v(p.v.data(), p.v.size());
-  Cells cells;
-  const float per_cell = 1.0f / static_cast<float>(kCell);
-  if (!((u.high - u.low) * per_cell < kMostAlong && (v.high - v.low) * per_cell < kMostAlong)) return cells;
-  const List<float> errors = errorsOf(p, 0.5f * (u.low + u.high), 0.5f * (v.low + v.high));
-  cells.columns = static_cast<int>((u.high - u.low) * per_cell) + 1;
-  cells.rows = static_cast<int>((v.high - v.low) * per_cell) + 1;
-  cells.all.resize(static_cast<std::size_t>(cells.columns * cells.rows));
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    const int column = static_cast<int>((p.u[k] - u.low) * per_cell);
-    const int row = static_cast<int>((p.v[k] - v.low) * per_cell);
-    Cell& cell = cells.all[static_cast<std::size_t>(row * cells.columns + column)];
-    cell.count += 1.0f, cell.sum += errors[k], cell.squares += errors[k] * errors[k];
-  }
-  double within = 0.0, freedom = 0.0;
-  for (const Cell& cell : cells.all) {
-    if (!cell.tells()) continue;
-    ++cells.telling;
-    within += cell.squares - cell.sum * cell.mean();
-    freedom += cell.count - 1.0;
-  }
-  cells.variance = freedom > 0.0 ? within / freedom : 0.0;
-  return cells;
-}
+constexpr double kAlone = 6.0;  // mean square of a bend, of independent errors with variance 1
 
 }  // namespace
 
+/// Mean squares of bends of cells so far apart, of each unknown with variance 1.
+WaveFinder::Numbers WaveFinder::bendsAt(double apart) {
+  Numbers bends;
+  for (std::size_t k = 0; k + 1 < kUnknowns; ++k) {
+    const auto alikeAt = [k](double distance) {
+      return DepthWaves::alike(DepthWaves::kReaches[k], distance * distance);
+    };
+    bends[k] = kAlone - 8.0 * alikeAt(apart) + 2.0 * alikeAt(2.0 * apart);
+  }
+  bends[kUnknowns - 1] = kAlone;
+  return bends;
+}
+
 void WaveFinder::see(const SeenPoints& plane) {
-  static_assert(kCellsApart.size() == kDistances);
   constexpr std::size_t kFewestPoints = 256;
+  constexpr float kSmallestCell = 0.03f, kPointsInCell = 4.0f;  // 16 pixels of a usual camera
+  constexpr float kLargestImage = 6.0f;                         // of x / z, more than any camera's
   constexpr int kFewestCells = 40;
   if (plane.size() < kFewestPoints) return;
-  const Cells cells = cellsOf(InverseDepths(plane));
-  if (cells.telling < kFewestCells) return;
-  for (std::size_t d = 0; d < kDistances; ++d) {
-    const int apart = kCellsApart[d];
-    const auto compare = [&](const Cell& before, const Cell& cell, const Cell& after) {
-      if (!before.tells() || !cell.tells() || !after.tells()) return;
-      const double noise = 1.0 / before.count + 4.0 / cell.count + 1.0 / after.count;
+  const InverseDepths p(plane);
+  const FloatRange u(p.u.data(), p.u.size()), v(p.v.data(), p.v.size());
+  const float width = u.high - u.low, height = v.high - v.low;
+  if (!(width < kLargestImage && height < kLargestImage)) return;
+  const float edge =
+      std::max(kSmallestCell, std::sqrt(kPointsInCell * width * height / static_cast<float>(plane.size())));
+  if (width * height < kFewestCells * edge * edge) return;
+  const ImageCells cells(p, u, v, edge);
+  if (cells.telling() < kFewestCells) return;
+  for (const int apart : {1, 2, 3, 4, 6, 8, 12}) {
+    double weights = 0.0, squares = 0.0, chance = 0.0;
+    cells.forThree(apart, [&](const ImageCell& before, const ImageCell& cell, const ImageCell& after) {
+      const double weight = 1.0 / (1.0 / before.count + 4.0 / cell.count + 1.0 / after.count);
       const double bend = before.mean() - 2.0 * cell.mean() + after.mean();
-      seen_[d].sum += bend * bend / noise - cells.variance;
-      seen_[d].weight += 1.0 / noise;
-      seen_[d].chance += 2.0 * cells.variance * cells.variance;
-    };
-    for (int row = 0; row < cells.rows; ++row) {
-      for (int column = apart; column + apart < cells.columns; ++column) {
-        compare(cells.at(column - apart, row), cells.at(column, row), cells.at(column + apart, row));
-      }
-    }
-    for (int row = apart; row + apart < cells.rows; ++row) {
-      for (int column = 0; column < cells.columns; ++column) {
-        compare(cells.at(column, row - apart), cells.at(column, row), cells.at(column, row + apart));
-      }
-    }
+      const double noise = before.variance() + 4.0 * cell.variance() + after.variance();
+      weights += weight;
+      squares += weight * (bend * bend - noise);
+      chance += 2.0 * weight * weight * noise * noise;
+    });
+    const Numbers bends = bendsAt(apart * static_cast<double>(edge));
+    normal_ += weights * bends * bends.transpose();
+    right_ += squares * bends;
+    chance_ += chance * bends * bends.transpose();
   }
 }
 
-/// By least squares, beside a part that is the same at all distances: noise that only neighbouring pixels share.
-WaveFinder::Fit WaveFinder::fitted(double reach) const {
-  constexpr double kAlone = 6.0;  // mean square of a bend, of independent errors with variance 1
-  const DepthWaves unit = {1.0, reach};
-  std::array<double, kDistances> of_waves;  // the same of waves
-  double squares = 0.0;
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (std::size_t d = 0; d < kDistances; ++d) {
-    const double apart_sq = std::pow(kCell * kCellsApart[d], 2);
-    of_waves[d] = kAlone - 8.0 * unit.alike(apart_sq) + 2.0 * unit.alike(4.0 * apart_sq);
-    if (!(seen_[d].weight > 0.0)) continue;
-    const Eigen::Vector2d row(of_waves[d], kAlone);
-    normal += seen_[d].weight * row * row.transpose();
-    right += seen_[d].sum * row;
-    squares += seen_[d].sum * seen_[d].sum / seen_[d].weight;
-  }
-  Eigen::Vector2d best = normal.ldlt().solve(right);
-  const bool any_alone = best[1] > 0.0;
-  if (!any_alone) best = {right[0] / normal(0, 0), 0.0};
-  // How much each sum counts for the share.
-  const double mean = any_alone ? normal(0, 1) / normal(1, 1) * kAlone : 0.0;
-  const double spread = normal(0, 0) - mean / kAlone * normal(0, 1);
-  double variance = 0.0;
-  for (std::size_t d = 0; d < kDistances; ++d) variance += std::pow((of_waves[d] - mean) / spread, 2) * seen_[d].chance;
-  return {best[0], std::sqrt(variance), squares - 2.0 * best.dot(right) + best.dot(normal * best)};
+/// Whether waves of this field alone would be more than chance makes, beside errors that only the points of a cell
+/// share, as they do in grains.
+bool WaveFinder::isSure(std::size_t field) const {
+  // Bends have cells in common, and the noise of these is known from a few points each. With 4 none of 250 frames of
+  // tables, households and halls without waves has some (seeds 300 and following; with 3 nine), and all of 40 tables
+  // that a stereo camera sees.
+  constexpr double kDeviations = 4.0;
+  Numbers contrast = Numbers::Zero();
+  contrast[field] = 1.0;
+  contrast[kUnknowns - 1] = -normal_(field, kUnknowns - 1) / normal_(kUnknowns - 1, kUnknowns - 1);
+  return contrast.dot(right_) > kDeviations * std::sqrt(contrast.dot(chance_ * contrast));
 }
 
+/// Least squares without negative variances: of all choices of unknowns the best one that has none.
 DepthWaves WaveFinder::waves() const {
-  constexpr double kReaches[] = {1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0};  // cells
-  // Of 150 tables, halls and households without waves none had some, with 4 two; of 40 stereo frames with waves one had
-  // none.
-  constexpr double kSure = 5.0;
   DepthWaves waves;
-  if (!(seen_[0].weight > 0.0 && seen_[kDistances / 2].weight > 0.0)) return waves;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double cells : kReaches) {
-    const Fit fit = fitted(cells * kCell);
-    if (!(fit.share_sq > kSure * fit.deviation) || !(fit.misfit < least)) continue;
-    least = fit.misfit;
-    waves = {std::sqrt(fit.share_sq), cells * kCell};
+  bool sure = false;
+  for (std::size_t field = 0; field + 1 < kUnknowns; ++field) sure = sure || isSure(field);
+  if (!sure) return waves;
+  double most = 0.0;  // by how much the squares get less
+  for (unsigned chosen = 1; chosen < 1u << kUnknowns; ++chosen) {
+    Square normal = normal_;
+    Numbers right = right_;
+    for (std::size_t k = 0; k < kUnknowns; ++k) {
+      if (chosen >> k & 1u) continue;
+      normal.row(k).setZero(), normal.col(k).setZero();
+      normal(k, k) = 1.0, right[k] = 0.0;
+    }
+    const Numbers variances = normal.ldlt().solve(right);
+    if (!(variances.minCoeff() >= 0.0 && variances.dot(right) > most)) continue;
+    most = variances.dot(right);
+    std::copy_n(variances.data(), waves.variances.size(), waves.variances.begin());
   }
   return waves;
 }

@@ -3,26 +3,41 @@
 // Errors of the depth that change slowly over an image, as a camera's calibration leaves them.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
-#include "core/frame_memory.h"
 #include "core/seen_points.h"
 
 namespace primitect {
 
-/// A field of random errors over the directions of sight, the same everywhere.
+/// Random errors over the directions of sight, the same everywhere: a sum of independent fields, short and long waves.
 struct DepthWaves {
-  double share = 0.0;  ///< of the depth, one standard deviation; 0: none are known
-  double reach = 1.0;  ///< of x / z and y / z: errors this far from each other are half as much alike as neighbours'
+  /// Of x / z and y / z: errors of a field so far from each other are half as much alike as neighbours'.
+  static constexpr std::array<double, 4> kReaches = {0.045, 0.09, 0.18, 0.36};
 
-  /// Correlation of errors whose distance in these coordinates has this square. A mixture of Gaussians of many widths:
-  /// covariances made of it are ones.
-  double alike(double apart_sq) const { return 1.0 / (1.0 + apart_sq / (reach * reach)); }
+  std::array<double, kReaches.size()> variances = {};  ///< of each field, of shares of the depth
+
+  bool any() const { return share() > 0.0; }
+
+  /// Of the depth, one standard deviation; 0: none are known.
+  double share() const { return std::sqrt(covariance(0.0)); }
+
+  /// Of shares at two places whose distance in these coordinates has this square. Each field is a mixture of Gaussians
+  /// of many widths: covariances made of it are ones.
+  double covariance(double apart_sq) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < kReaches.size(); ++k) sum += variances[k] * alike(kReaches[k], apart_sq);
+    return sum;
+  }
+
+  /// Correlation within a field.
+  static double alike(double reach, double apart_sq) { return 1.0 / (1.0 + apart_sq / (reach * reach)); }
 };
 
 /// Finds them where they show: on large planes. How much a row of three cells of the image bends, in the mean of the
-/// relative errors of their depths, does not depend on where the plane is said to be, so that nothing of long waves is
+/// relative errors of their depths, hardly depends on where the plane is said to be, so that little of long waves is
 /// lost in its fit; and it grows with the distance of the cells as waves become less alike.
 class WaveFinder {
  public:
@@ -34,25 +49,20 @@ class WaveFinder {
   DepthWaves waves() const;
 
  private:
-  /// Of cells at one distance, each with the weight that its noise leaves it.
-  struct Bends {
-    double sum = 0.0;     ///< of weighted squares, without what the noise of the points makes of them
-    double weight = 0.0;  ///< of the weights
-    double chance = 0.0;  ///< variance of `sum` where there is only that noise
-  };
+  /// The variances of the fields, and of errors that only the points of one cell share.
+  static constexpr std::size_t kUnknowns = DepthWaves::kReaches.size() + 1;
+  using Numbers = Eigen::Matrix<double, kUnknowns, 1>;
+  using Square = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-  /// Waves of some reach.
-  struct Fit {
-    double share_sq = 0.0;
-    double deviation = 0.0;  ///< of it, by chance
-    double misfit = 0.0;
-  };
+  static Numbers bendsAt(double apart);
+  bool isSure(std::size_t field) const;
 
-  static constexpr std::size_t kDistances = 7;
-
-  Fit fitted(double reach) const;
-
-  std::array<Bends, kDistances> seen_ = {};
+  /// Equations of least squares for the unknowns, from the squares of bends without what the noise of points makes of
+  /// them.
+  Square normal_ = Square::Zero();
+  Numbers right_ = Numbers::Zero();
+  /// Covariance of right_ where there is only that noise, of bends as if they had no cells in common.
+  Square chance_ = Square::Zero();
 };
 
 }  // namespace primitect

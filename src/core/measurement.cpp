@@ -116,7 +116,7 @@ const Measurement::Face* Measurement::faceOf(const Detection& found) const {
   const double reach = kReachOfFaces * sigma_(found.extent.origin);
   const Face* largest = nullptr;
   for (const Face& face : faces_) {
-    if (!(face.axis_deviation <= kUprightDeviation) || !mayStandOn(*face.plane, reach, found.extent)) continue;
+    if (!(face.normal.by_noise <= kUprightDeviation) || !mayStandOn(*face.plane, reach, found.extent)) continue;
     if (!largest || face.plane->inlier_count > largest->plane->inlier_count) largest = &face;
   }
   return largest;
@@ -129,8 +129,8 @@ std::optional<PointsChoice> Measurement::upright(const Face& face, PointsChoice 
   const std::optional<Shape> shape = uprightShape(choice.shape, normal, leaning, fit_points_, limits_);
   if (!shape) return std::nullopt;
   choice.shape = *shape;
-  choice.axis_deviation = std::hypot(kUprightDeviation, face.axis_deviation);
-  choice.axis_waves = face.axis_waves;
+  choice.axis = {std::hypot(kUprightDeviation, face.normal.by_noise),
+                 std::hypot(kUprightDeviation, face.normal.by_all)};
   if (kindOf(*shape) == Kind::cone) choice.or_cone = choice.either = false;
   return choice;
 }
@@ -163,17 +163,12 @@ Shape Measurement::fittedToClear(const PointsChoice& from) {
 }
 
 /// Of a fit to the clear points.
-Uncertainty Measurement::uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent,
-                                       const DepthWaves& waves) const {
+Uncertainties Measurement::uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent) const {
   const auto from = [&](const SeenPoints& points) {
     const double shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : 1.0;
-    return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves}, axis_deviation);
+    return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves_}, axis);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);
-}
-
-Uncertainty Measurement::withWaves(const PointsChoice& from, const Detection& measured) const {
-  return uncertaintyOf(measured.shape, std::hypot(from.axis_deviation, from.axis_waves), measured.extent, waves_);
 }
 
 /// What is no part of the surface stands out from a fit that it has bent only after some fits without the worst of it.
@@ -196,7 +191,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 
 double Measurement::trustInSizeOf(const Fit& fit) const {
   const Extent extent = measureExtent(fit.shape, points_, {});
-  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis_deviation, extent));
+  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis, extent).by_noise);
 }
 
 /// What is tried in place of a sharp cone that its points do not determine: upright, else the cylinder.
@@ -301,7 +296,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
-  const Uncertainty by_noise = uncertaintyOf(detection.shape, fit.from.axis_deviation, detection.extent);
+  const auto [by_noise, uncertainty] = uncertaintyOf(detection.shape, fit.from.axis, detection.extent);
   if (does(Step::trust_in_size)) {
     detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, by_noise)));
   }
@@ -317,7 +312,6 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
     const Plane& plane = std::get<Plane>(detection.shape);
     detection.confidence *= static_cast<float>(trustInFlat(plane, detection.extent, points_));
   }
-  const Uncertainty uncertainty = waves_.share > 0.0 ? withWaves(fit.from, detection) : by_noise;
   detection.covariance = uncertainty.pose;
   detection.radius_stddev = static_cast<float>(uncertainty.radius_stddev);
   detection.half_angle_stddev = static_cast<float>(uncertainty.half_angle_stddev);
@@ -325,8 +319,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   detection.axis_stddev = static_cast<float>(uncertainty.axis_stddev);
   const bool likely = detection.confidence >= leastWhileChoosing(limits_.params);
   if (!likely || kindOf(detection.shape) != Kind::plane) return;
-  const double more = std::pow(uncertainty.axis_stddev, 2) - std::pow(by_noise.axis_stddev, 2);
-  faces_.push_back({&detection, by_noise.axis_stddev, std::sqrt(std::max(more, 0.0))});
+  faces_.push_back({&detection, {by_noise.axis_stddev, uncertainty.axis_stddev}});
 }
 
 }  // namespace primitect

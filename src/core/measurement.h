@@ -10,6 +10,7 @@
 #include "core/competition.h"
 #include "core/covariance.h"
 #include "core/dense_fit.h"
+#include "core/depth_waves.h"
 #include "core/fit_points.h"
 #include "core/frame_memory.h"
 #include "core/noise.h"
@@ -55,7 +56,7 @@ class Measurement {
 
   struct Face {
     const Detection* plane;
-    double axis_deviation, axis_waves;  ///< rad, of its normal: by its noise, and more by waves of the depth
+    HeldAxis normal;
   };
 
   bool does(Step step) const { return limits_.params.does(step); }
@@ -68,9 +69,7 @@ class Measurement {
   std::optional<PointsChoice> upright(const Face& face, PointsChoice choice, Leaning leaning) const;
   std::optional<PointsChoice> insteadOf(const Fit& doubtful, const Detection& found);
   Shape fittedToClear(const PointsChoice& from);
-  Uncertainty uncertaintyOf(const Shape& fit, double axis_deviation, const Extent& extent,
-                            const DepthWaves& waves = {}) const;
-  Uncertainty withWaves(const PointsChoice& from, const Detection& measured) const;
+  Uncertainties uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent) const;
   double leaveOutThinEnds(const Shape& shape);
   double keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept);
   void endAtFacesOrTip(Detection& detection) const;

@@ -223,14 +223,16 @@ void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const 
   }
 }
 
-/// By the clear points of its large planes.
+/// By the clear points of the large planes of a depth camera, which are likely.
 DepthWaves Detector::Workspace::findWaves(const List<List<std::uint32_t>>& clear_points) const {
-  constexpr std::size_t kFewestPoints = 8192;
+  constexpr std::size_t kOneIn = 50;  // of all points
+  if (!depth_camera || !params.does(Step::depth_waves)) return {};
   WaveFinder finder;
-  if (!depth_camera || !params.does(Step::depth_waves)) return finder.waves();
   SeenPoints seen;
   for (std::size_t k = 0; k < result.items.size(); ++k) {
-    if (kindOf(result.items[k].shape) != Kind::plane || points[k].all < kFewestPoints) continue;
+    const Detection& item = result.items[k];
+    if (kindOf(item.shape) != Kind::plane || item.confidence < leastWhileChoosing(params)) continue;
+    if (kOneIn * points[k].all < result.points_used) continue;
     seen.gather(thinned.cloud(), clear_points[k]);
     finder.see(seen);
   }
@@ -256,7 +258,7 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     if (enough[k]) clear_points[k] = take_all ? points[k].index : clear.of(k, points[k].index);
   }
   const DepthWaves waves = findWaves(clear_points);
-  result.depth_waves = waves.share;
+  result.depth_waves = waves.share();
   const MeasurementNoise noise = {verification.noise(), verification.fullNoise(), waves};
   Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   const auto broken = [this](std::size_t k) -> std::optional<Refusal> {

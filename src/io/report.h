@@ -41,9 +41,9 @@ struct FileReport {
 /// One JSON object, ends with a newline:
 /// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise", "depth_waves",
 /// "seen_from_origin", "sensor": {"position", "orientation", "from"}, "refused": {reason: count}, "primitives": [...],
-/// "timing_ms": {...}}. Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none and a sensor at the
-/// origin. With max_latency also "effort", the share of the samples. A file that could not be read: {"file", "error",
-/// "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms"; where it was asked for
+/// "timing_ms": {...}}. Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none
+/// and a sensor at the origin. With max_latency also "effort", the share of the samples. A file that could not be read:
+/// {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms"; where it was asked for
 /// "late" (with max_latency), "unlikely" and "few_inliers", written as "primitives".
 std::string reportJson(const FileReport& report);
 

@@ -30,7 +30,7 @@ NoiseParams ofTimeOfFlight() {
   return params;
 }
 
-NoiseParams ofUncalibrated() {
+NoiseParams ofBentStructuredLight() {
   NoiseParams params;
   params.waves = 0.0025;
   params.wave_length = 71;
@@ -44,9 +44,9 @@ struct Sensor {
 
 const std::vector<Sensor>& sensors() {
   static const std::vector<Sensor> all = {{"structured_light", {}},
+                                          {"bent_structured_light", ofBentStructuredLight()},
                                           {"stereo", ofStereo()},
-                                          {"time_of_flight", ofTimeOfFlight()},
-                                          {"uncalibrated", ofUncalibrated()}};
+                                          {"time_of_flight", ofTimeOfFlight()}};
   return all;
 }
 

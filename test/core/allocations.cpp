@@ -12,6 +12,7 @@
 #include "primitect/detector.h"
 #include "synthetic/frame.h"
 #include "synthetic/paper_dataset.h"
+#include "synthetic/sensors.h"
 #include "synthetic/tabletop.h"
 #include "test/support/rendered_cloud.h"
 #include "test/support/uneven_wall.h"
@@ -21,15 +22,15 @@ namespace {
 
 /// Cut at the default's depths.
 std::vector<Cloud> tabletops(std::uint64_t first_seed, std::size_t count,
-                             const synthetic::PinholeCamera& camera = synthetic::PinholeCamera()) {
+                             const synthetic::PinholeCamera& camera = synthetic::PinholeCamera(),
+                             const synthetic::FrameParams& frame_params = {}) {
   const Params params;
   const DepthRange range{static_cast<float>(params.min_depth), static_cast<float>(params.max_depth)};
   std::vector<Cloud> clouds(count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::uint64_t seed = first_seed + k;
     const Eigen::Isometry3d pose = synthetic::cameraPose(static_cast<double>(seed));
-    const synthetic::Frame frame =
-        renderFrame(synthetic::tabletop(seed), camera, pose, synthetic::FrameParams(), seed, 0);
+    const synthetic::Frame frame = renderFrame(synthetic::tabletop(seed), camera, pose, frame_params, seed, 0);
     synthetic::cloudFromDepth(frame.depth, camera, range, clouds[k]);
   }
   return clouds;
@@ -116,6 +117,16 @@ TEST_F(Allocations, AreNoneWhereLargePlanesAreUneven) {
   warmUp(clouds, detector);
   EXPECT_EQ(detector.result().items.size(), 2u) << "the table, and the wall by more noise";
   EXPECT_EQ(allocationsOf(clouds[0], detector), 0u);
+}
+
+TEST_F(Allocations, AreNoneWhereTheCameraBendsWhatItSees) {
+  synthetic::FrameParams bent;
+  bent.noise = synthetic::noiseOf("bent_structured_light");
+  const std::vector<Cloud> clouds = tabletops(1, 2, synthetic::PinholeCamera(), bent);
+  Detector detector{Params()};
+  warmUp(clouds, detector);
+  EXPECT_GT(detector.result().depth_waves, 0.0);
+  for (const Cloud& cloud : clouds) EXPECT_EQ(allocationsOf(cloud, detector), 0u);
 }
 
 TEST_F(Allocations, AreNoneInDepthFramesThatLostTheirOrder) {

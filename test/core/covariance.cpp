@@ -113,7 +113,7 @@ TEST(PoseCovariance, IsThatOfTheErrorsInWhatCanBeObserved) {
       ASSERT_TRUE(fit.shape);
       const Shape shape = fit.unbiased();
       const Extent extent = measureExtent(shape, fit.measured);
-      const Matrix6 covariance = poseOf(measureUncertainty(shape, extent, fit.measured, fit.noise()));
+      const Matrix6 covariance = poseOf(measureUncertainty(shape, extent, fit.measured, fit.noise()).by_all);
       const Gradient error = poseError(shape, patch.truth, extent.origin);
       sum += test::normalisedSquare(error, covariance) / kObservable[static_cast<int>(kind)];
     }
@@ -138,7 +138,7 @@ TEST(PoseCovariance, OfSlenderConesFarFromTheirApexIsThatOfTheErrors) {
     const auto fit = refine(truth, points);
     ASSERT_TRUE(fit) << time;
     const Extent extent = measureExtent(*fit, measured);
-    const Matrix6 covariance = poseOf(measureUncertainty(*fit, extent, measured, NoiseModel{kNoise}));
+    const Matrix6 covariance = poseOf(measureUncertainty(*fit, extent, measured, NoiseModel{kNoise}).by_all);
     const double square = test::normalisedSquare(poseError(*fit, truth, extent.origin), covariance) / kObservable;
     sum += square;
   }
@@ -164,7 +164,7 @@ TEST(RadiusAndAngle, StrayAsTheyAreSaidTo) {
       ASSERT_TRUE(fit.shape);
       const Shape shape = fit.unbiased();
       const Extent extent = measureExtent(shape, fit.measured);
-      const Uncertainty said = measureUncertainty(shape, extent, fit.measured, fit.noise());
+      const Uncertainty said = measureUncertainty(shape, extent, fit.measured, fit.noise()).by_all;
       radius += std::pow((trueRadius(patch.truth, extent) - extent.radius) / said.radius_stddev, 2) / kSeeds;
       if (kind != Kind::cone) continue;
       const double off = std::get<Cone>(shape).half_angle - std::get<Cone>(patch.truth).half_angle;
@@ -188,7 +188,7 @@ PatchUncertainty uncertaintyOfPatch(Kind kind, Random& random) {
   const Patch patch = test::randomPatch(kind, 300, random);
   const NoisyFit fit(patch, 0.002, NoiseDirection::any, random);
   const Extent extent = measureExtent(*fit.shape, fit.measured);
-  const Uncertainty uncertainty = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
+  const Uncertainty uncertainty = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise()).by_all;
   const Matrix6 covariance = poseOf(uncertainty);
   const Eigen::Matrix3d& axes = extent.rotation;
   return {uncertainty, axes.transpose() * covariance.topLeftCorner<3, 3>() * axes,
@@ -244,7 +244,7 @@ TEST(Covariance, OfPointsThatDetermineNothingIsLargeButFinite) {
     const Vec3 p = project(shape, Vec3(0.1, 0.02, 0.8));
     for (const std::size_t count : {0, 1, 3, 100}) {
       const std::vector<Vec3> same(count, p);
-      const Uncertainty uncertainty = measureUncertainty(shape, measureExtent(shape, same), same, millimetre);
+      const Uncertainty uncertainty = measureUncertainty(shape, measureExtent(shape, same), same, millimetre).by_all;
       const Matrix6 covariance = poseOf(uncertainty);
       ASSERT_TRUE(covariance.allFinite()) << kindName(kindOf(shape)) << " " << count;
       EXPECT_GE(uncertainty.radius_stddev, 0.0);
@@ -281,9 +281,9 @@ TEST(PoseCovariance, IsThatOfAHeldAxis) {
     ASSERT_TRUE(fit.shape);
     const Extent extent = measureExtent(*fit.shape, fit.measured);
     const auto with = [&](double deviation) {
-      return measureUncertainty(*fit.shape, extent, fit.measured, fit.noise(), {}, deviation);
+      return measureUncertainty(*fit.shape, extent, fit.measured, fit.noise(), {}, {deviation}).by_all;
     };
-    const Uncertainty alone = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise());
+    const Uncertainty alone = measureUncertainty(*fit.shape, extent, fit.measured, fit.noise()).by_all;
     const Uncertainty held = with(kHeld), poorly = with(1.0), exactly = with(1e-6);
     EXPECT_NEAR(held.axis_stddev, kHeld, 1e-6) << kindName(kind);
     EXPECT_NEAR(poorly.axis_stddev, 1.0, 1e-6);

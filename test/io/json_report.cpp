@@ -31,6 +31,7 @@ FileReport fourKinds() {
   report.detections.samples = 80;
   report.detections.scene_diameter = 1.5;
   report.detections.image_noise = 1.25;
+  report.detections.depth_waves = 0.0025;
   report.detections.seen_from_origin = false;
   report.detections.items = {detectionOf(Plane{{1, 2, 3}, {0, 0, -1}}), detectionOf(Sphere{{1, 2, 3}, 0.5}),
                              detectionOf(Cylinder{{1, 2, 3}, {0, 1, 0}, 0.25}),
@@ -74,6 +75,7 @@ TEST(JsonReport, SaysHowMuchWasReadAndHowLongItTook) {
   EXPECT_EQ(json["samples"], 80);
   EXPECT_EQ(json["scene_diameter"], 1.5);
   EXPECT_EQ(json["image_noise"], 1.25);
+  EXPECT_EQ(json["depth_waves"], 0.0025);
   EXPECT_EQ(json["seen_from_origin"], false);
   EXPECT_EQ(json["timing_ms"]["read"], 1.5);
   EXPECT_EQ(json["timing_ms"]["vote"], 2.5);

@@ -177,6 +177,13 @@ class SimulatedCamera(unittest.TestCase):
         self.assertTrue(wait_for(noises))
         self.assertLess(noises()[-1], 0.3, "depths are exact: see the .test")
 
+    def test_tells_in_the_diagnostics_by_how_much_the_camera_bends_what_it_sees(self):
+        def waves():
+            return [v.value for a in self.diagnostics.all() for s in a.status if s.name.endswith("detector: input")
+                    for v in s.values if v.key == "waves of the depth, percent of it"]
+        self.assertTrue(wait_for(waves))
+        self.assertEqual(waves()[-1], "none seen", "depths are exact")
+
     def test_marks_every_primitive_in_its_place_and_size(self):
         for frame in self.frames:
             array = frame[MARKERS].markers

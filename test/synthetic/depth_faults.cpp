@@ -139,7 +139,8 @@ TEST(Sensors, HaveTheirShadowsAndWaves) {
   int missing = 0;
   for (int column = 0; column < kCamera.width; ++column) missing += std::isnan(at(depth, column)) ? 1 : 0;
   EXPECT_NEAR(missing, kCamera.fx * 0.05 * (1.0 / 0.8 - 1.0 / 1.6), 2.0);
-  for (const auto& [sensor, waves] : {std::pair("time_of_flight", 0.0015), std::pair("uncalibrated", 0.0025)}) {
+  for (const auto& [sensor, waves] :
+       {std::pair("time_of_flight", 0.0015), std::pair("bent_structured_light", 0.0025)}) {
     NoiseParams params = noiseOf(sensor);
     params.scale = params.disparity_step = 0.0;
     std::vector<float> wall = step(1.0f, 1.0f);
