@@ -27,7 +27,8 @@ TIMED = (TABLES, SCENES)
 GROUPS = (
     Group(TABLES, {Recipe("tabletop"): 3}, FOUND + (RADIUS, AXIS, HALF_ANGLE, NEES)),
     Group("other cameras", {Recipe("tabletop", sensor="stereo"): 1, Recipe("tabletop", sensor="time_of_flight"): 1,
-                            Recipe("tabletop", sensor="bent_structured_light"): 1, Recipe("tabletop", noise_scale=3.0): 1,
+                            Recipe("tabletop", sensor="bent_structured_light"): 1,
+                            Recipe("tabletop", noise_scale=3.0): 1,
                             Recipe("tabletop", noise_scale=2.0, noise_grain=5): 1}, FOUND + (NEES,)),
     Group("several parts", {Recipe("household"): 2, Recipe("household", sensor="stereo"): 2, Recipe("heap"): 1,
                             Recipe("hall"): 1}, FOUND),

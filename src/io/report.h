@@ -41,10 +41,10 @@ struct FileReport {
 /// One JSON object, ends with a newline:
 /// {"file", "status", "points_in", "points_used", "samples", "scene_diameter", "image_noise", "depth_waves",
 /// "seen_from_origin", "sensor": {"position", "orientation", "from"}, "refused": {reason: count}, "primitives": [...],
-/// "timing_ms": {...}}. Metres, radians. What no stage has filled is null, as are the rival of a primitive that has none
-/// and a sensor at the origin. With max_latency also "effort", the share of the samples. A file that could not be read:
-/// {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms"; where it was asked for
-/// "late" (with max_latency), "unlikely" and "few_inliers", written as "primitives".
+/// "timing_ms": {...}}. Metres, radians. What no stage has filled is null, as are the rival of a primitive that has
+/// none and a sensor at the origin. With max_latency also "effort", the share of the samples. A file that could not be
+/// read: {"file", "error", "primitives": []}. With several runs also "repeats", "timing_min_ms" and "timing_max_ms";
+/// where it was asked for "late" (with max_latency), "unlikely" and "few_inliers", written as "primitives".
 std::string reportJson(const FileReport& report);
 
 /// A JSON array of such objects, in the order of the files.
@@ -67,9 +67,8 @@ struct FrameReport {
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",
 /// "problem", "points_in", "points_used", "samples", "seen_from_origin", "sensor", "processing_ms", "refused":
-/// {reason: count}, "primitives": [...]}; problem is null where there is none, sensor ({"position", "orientation"}) where
-/// the points told none. Primitives as in reportJson(), those of a track also with
-/// "track_id" and "age".
+/// {reason: count}, "primitives": [...]}; problem is null where there is none, sensor ({"position", "orientation"})
+/// where the points told none. Primitives as in reportJson(), those of a track also with "track_id" and "age".
 std::string frameJson(const FrameReport& report);
 
 }  // namespace primitect::io
