@@ -183,8 +183,8 @@ struct Detections {
   /// light, up to about five. 0 where this is not measured.
   double image_noise = 0.0;
   /// What the depth of a depth camera is off by in waves over the image, as large planes show it: a share of the depth,
-  /// one standard deviation. 0: there are none, or no plane tells.
-  double depth_waves = 0.0;
+  /// one standard deviation. 0: these show none; -1: no plane tells.
+  double depth_waves = -1.0;
   /// False: the points are not those of a sensor at the origin that looks along z, as is assumed. Then the image cannot
   /// be used, and normals may be turned to the wrong side. Of lists with normals only points behind the sensor tell.
   bool seen_from_origin = true;

@@ -45,6 +45,9 @@ class WaveFinder {
   /// covers too little of the image, tells nothing.
   void see(const SeenPoints& plane);
 
+  /// Whether any plane told something.
+  bool hasSeen() const { return normal_(kUnknowns - 1, kUnknowns - 1) > 0.0; }
+
   /// From all planes that were seen; none where chance may have made it.
   DepthWaves waves() const;
 

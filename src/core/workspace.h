@@ -150,7 +150,7 @@ struct Detector::Workspace {
   std::optional<std::size_t> curvedUnder(const Labelled<Plane>& plane, const List<std::uint32_t>& pixels) const;
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
   bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);
-  DepthWaves findWaves(const List<List<std::uint32_t>>& clear_points) const;
+  DepthWaves findWaves(const List<List<std::uint32_t>>& clear_points);
   List<std::size_t> mostPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 

@@ -224,7 +224,7 @@ void Detector::Workspace::distrustInterleaved(const List<bool>& measured, const 
 }
 
 /// By the clear points of the large planes of a depth camera, which are likely.
-DepthWaves Detector::Workspace::findWaves(const List<List<std::uint32_t>>& clear_points) const {
+DepthWaves Detector::Workspace::findWaves(const List<List<std::uint32_t>>& clear_points) {
   constexpr std::size_t kOneIn = 50;  // of all points
   if (!depth_camera || !params.does(Step::depth_waves)) return {};
   WaveFinder finder;
@@ -236,7 +236,9 @@ DepthWaves Detector::Workspace::findWaves(const List<List<std::uint32_t>>& clear
     seen.gather(thinned.cloud(), clear_points[k]);
     finder.see(seen);
   }
-  return finder.waves();
+  const DepthWaves waves = finder.waves();
+  if (finder.hasSeen()) result.depth_waves = waves.share();
+  return waves;
 }
 
 void Detector::Workspace::measureOnCloud(const Cloud& whole) {
@@ -258,7 +260,6 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
     if (enough[k]) clear_points[k] = take_all ? points[k].index : clear.of(k, points[k].index);
   }
   const DepthWaves waves = findWaves(clear_points);
-  result.depth_waves = waves.share();
   const MeasurementNoise noise = {verification.noise(), verification.fullNoise(), waves};
   Measurement measurement(cloud, rays, params, noise, {params, verification.largestRadius()});
   const auto broken = [this](std::size_t k) -> std::optional<Refusal> {

@@ -117,6 +117,9 @@ Json primitivesJson(const Detections& found) {
   return json;
 }
 
+/// null: no plane tells.
+Json wavesJson(const Detections& found) { return found.depth_waves < 0.0 ? Json(nullptr) : Json(found.depth_waves); }
+
 Json fileJson(const FileReport& report) {
   Json json;
   json["file"] = report.file;
@@ -133,7 +136,7 @@ Json fileJson(const FileReport& report) {
   if (report.effort) json["effort"] = *report.effort;
   json["scene_diameter"] = found.scene_diameter;
   json["image_noise"] = found.image_noise;
-  json["depth_waves"] = found.depth_waves;
+  json["depth_waves"] = wavesJson(found);
   json["seen_from_origin"] = found.seen_from_origin;
   json["sensor"] = sensorJson(report);
   json["refused"] = refusalsJson(found.refusals);
@@ -162,6 +165,7 @@ Json frameObject(const FrameReport& report) {
   json["points_in"] = found.points_in;
   json["points_used"] = found.points_used;
   json["samples"] = found.samples;
+  json["depth_waves"] = wavesJson(found);
   json["seen_from_origin"] = found.seen_from_origin;
   json["sensor"] = report.found_sensor ? poseJson(*report.found_sensor) : Json(nullptr);
   json["processing_ms"] = report.processing_ms;

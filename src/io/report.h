@@ -66,9 +66,10 @@ struct FrameReport {
 };
 
 /// One JSON object in one line, which ends with a newline: {"stamp": {"secs", "nsecs"}, "frame_id", "status",
-/// "problem", "points_in", "points_used", "samples", "seen_from_origin", "sensor", "processing_ms", "refused":
-/// {reason: count}, "primitives": [...]}; problem is null where there is none, sensor ({"position", "orientation"})
-/// where the points told none. Primitives as in reportJson(), those of a track also with "track_id" and "age".
+/// "problem", "points_in", "points_used", "samples", "depth_waves", "seen_from_origin", "sensor", "processing_ms",
+/// "refused": {reason: count}, "primitives": [...]}; problem is null where there is none, sensor ({"position",
+/// "orientation"}) where the points told none. Primitives as in reportJson(), those of a track also with "track_id" and
+/// "age".
 std::string frameJson(const FrameReport& report);
 
 }  // namespace primitect::io

@@ -21,6 +21,7 @@ PrimitiveArray unreadable(const RecordedCloud& cloud) {
   message.header = cloud.header.value_or(std_msgs::Header());
   message.status = PrimitiveArray::REJECTED_INPUT;
   message.seen_from_origin = true;
+  message.depth_waves = -1.0f;
   return message;
 }
 

@@ -130,7 +130,7 @@ void DetectorDiagnostics::fillInput(DiagnosticStatusWrapper& status) const {
   const char* const noise = "noise, times structured light's";
   view_.image_noise > 0.0 ? status.addf(noise, "%.2f", view_.image_noise) : status.add(noise, "unknown");
   const char* const waves = "waves of the depth, percent of it";
-  view_.depth_waves > 0.0 ? status.addf(waves, "%.2f", 100.0 * view_.depth_waves) : status.add(waves, "none seen");
+  view_.depth_waves < 0.0 ? status.add(waves, "no plane tells") : status.addf(waves, "%.2f", 100.0 * view_.depth_waves);
 }
 
 void DetectorDiagnostics::fillDetection(DiagnosticStatusWrapper& status) const {

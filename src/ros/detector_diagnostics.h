@@ -42,7 +42,7 @@ struct FrameView {
   std::optional<bool> seen_from_origin;           ///< by a sensor there that looks along z; empty: unknown
   bool normals_face_away = false;                 ///< most of those that it brought, from that sensor
   double image_noise = 0.0;                       ///< times structured light's; 0: not measured
-  double depth_waves = 0.0;                       ///< share of the depth; 0: none that a plane would tell
+  double depth_waves = -1.0;                      ///< share of the depth; -1: no plane tells
   std::optional<Eigen::Isometry3d> found_camera;  ///< where the points tell that it is elsewhere: its optical frame, in
                                                   ///< that of the cloud
 };

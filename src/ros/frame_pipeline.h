@@ -90,7 +90,7 @@ class FramePipeline {
 
   /// Of the last cloud; see Detections.
   double imageNoise() const { return has_cloud_ ? detector_.result().image_noise : 0.0; }
-  double depthWaves() const { return has_cloud_ ? detector_.result().depth_waves : 0.0; }
+  double depthWaves() const { return has_cloud_ ? detector_.result().depth_waves : -1.0; }
 
   /// The last cloud, if there is one, which came as this message, as the sensor saw it: cut at no depth, in the frame
   /// of the sensor.

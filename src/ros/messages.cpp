@@ -147,6 +147,7 @@ PrimitiveArray& MessageWriter::write(const Detections& detections, const std_msg
   message_.samples = detections.samples;
   message_.processing_time = 0.0f;
   message_.seen_from_origin = detections.seen_from_origin;
+  message_.depth_waves = static_cast<float>(detections.depth_waves);
   message_.status = static_cast<std::uint8_t>(detections.status);
   return message_;
 }
@@ -163,6 +164,7 @@ Detections fromMessage(const PrimitiveArray& message) {
   detections.points_used = message.points_used;
   detections.samples = message.samples;
   detections.seen_from_origin = message.seen_from_origin;
+  detections.depth_waves = message.depth_waves;
   return detections;
 }
 

@@ -101,6 +101,16 @@ std::string noiseText(const Detections& found) {
       found.image_noise);
 }
 
+/// As far as it is more than a fifth of the noise at 1 m.
+std::string wavesText(const Detections& found) {
+  constexpr double kLeast = 0.001;
+  if (found.depth_waves < kLeast) return "";
+  return format(
+      "  note: the camera bends what it sees, by %.2f %% of the depth in waves over the image: standard deviations "
+      "include it (docs/tuning.md, A camera that bends)\n",
+      100.0 * found.depth_waves);
+}
+
 /// Written in another order, as that of the camera's matrix, or those of an image of another size, they put the middle
 /// of the image far aside.
 std::string intrinsicsText(const io::PointFile& read) {
@@ -152,7 +162,7 @@ std::string ignoredFramesText(const DetectOptions& options) {
 std::string notesText(const Detections& found, const DetectInput& input) {
   return unitsText(found, input.seen()) + intrinsicsText(input.file) + foundSensorText(input) +
          otherFrameText(found, input) + assumedOriginText(found, input) + normalsText(found) + beyondText(input) +
-         noiseText(found) + notLookedForText(input.params) + leftOutText(input.params);
+         noiseText(found) + wavesText(found) + notLookedForText(input.params) + leftOutText(input.params);
 }
 
 }  // namespace primitect::tools

@@ -143,6 +143,9 @@ TEST(DepthWaves, NeedALargePlane) {
   nothing.see({});
   nothing.see(std::vector<Vec3>(2048, Vec3(0, 0, 1)));
   EXPECT_EQ(nothing.waves().share(), 0.0);
+  EXPECT_FALSE(nothing.hasSeen());
+  nothing.see(SeenPlane().points(1));
+  EXPECT_TRUE(nothing.hasSeen());
 }
 
 TEST(DepthWaves, OfSeveralPlanesAreTakenTogether) {
@@ -258,7 +261,7 @@ TEST(DepthWaves, AreInTheCovariancesOfAFrame) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const WithAndWithout found("bent_structured_light", seed);
     EXPECT_NEAR(found.with_waves.depth_waves, 0.0025, 0.0015) << seed;
-    EXPECT_EQ(found.alone.depth_waves, 0.0) << seed;
+    EXPECT_EQ(found.alone.depth_waves, -1.0) << seed;
     const Detection* const ball = firstOf(Kind::sphere, found.with_waves);
     const Detection* const same = firstOf(Kind::sphere, found.alone);
     ASSERT_TRUE(ball && same) << seed;
@@ -299,7 +302,7 @@ TEST(DepthWaves, AreNotSeenWhereTheCameraHasNone) {
   }
   Params of_any_sensor;
   of_any_sensor.inlier_depth_share = 0.0;
-  EXPECT_EQ(Detector{of_any_sensor}.detect(thingsOnTable("bent_structured_light", 1)).depth_waves, 0.0);
+  EXPECT_EQ(Detector{of_any_sensor}.detect(thingsOnTable("bent_structured_light", 1)).depth_waves, -1.0);
 }
 
 }  // namespace

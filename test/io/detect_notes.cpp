@@ -88,6 +88,32 @@ TEST_F(DetectNotes, AskWhereTheOrderOfIntrinsicsCannotBeRight) {
   EXPECT_NE(out.find("for 320 x 240 pixels?"), std::string::npos) << out;
 }
 
+/// A wall at 1 m whose depths are off by about this share, in waves of 100 pixels and more.
+cv::Mat bentWall(double share) {
+  cv::Mat image(480, 640, CV_16UC1);
+  primitect::Random random(5);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      const double wave = std::sin(0.063 * u) + std::sin(0.042 * (u + v)) + std::sin(0.027 * (v - 0.6 * u));
+      const double z = 1000.0 * (1.0 + share * wave + 0.002 * random.gaussian());
+      image.at<std::uint16_t>(v, u) = static_cast<std::uint16_t>(std::lround(z));
+    }
+  }
+  return image;
+}
+
+TEST_F(DetectNotes, TellThatTheCameraBendsWhatItSees) {
+  const std::string note = "note: the camera bends what it sees, by 0.";
+  primitect::test::writePng(path("bent.png"), bentWall(0.003));
+  primitect::test::writePng(path("straight.png"), bentWall(0.0));
+  EXPECT_EQ(run(path("bent.png") + " --intrinsics 525,525,319.5,239.5"), 0);
+  EXPECT_NE(out.find(note), std::string::npos) << out;
+  EXPECT_EQ(run(path("bent.png") + " --intrinsics 525,525,319.5,239.5 --without depth_waves"), 0);
+  EXPECT_EQ(out.find("bends"), std::string::npos) << out;
+  EXPECT_EQ(run(path("straight.png") + " --intrinsics 525,525,319.5,239.5"), 0);
+  EXPECT_EQ(out.find("bends"), std::string::npos) << out;
+}
+
 TEST_F(DetectNotes, TellNormalsThatFaceAwayFromTheSensor) {
   const std::string note = "note: most normals of the file face away from the sensor";
   const std::string inward = write("inward.ply", ballPly(1.0, -1.0));

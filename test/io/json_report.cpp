@@ -76,6 +76,7 @@ TEST(JsonReport, SaysHowMuchWasReadAndHowLongItTook) {
   EXPECT_EQ(json["scene_diameter"], 1.5);
   EXPECT_EQ(json["image_noise"], 1.25);
   EXPECT_EQ(json["depth_waves"], 0.0025);
+  EXPECT_TRUE(Json::parse(reportJson(FileReport()))["depth_waves"].is_null()) << "no plane tells";
   EXPECT_EQ(json["seen_from_origin"], false);
   EXPECT_EQ(json["timing_ms"]["read"], 1.5);
   EXPECT_EQ(json["timing_ms"]["vote"], 2.5);

@@ -72,6 +72,7 @@ TEST(Messages, KeepStampFrameStatusAndCounts) {
   detections.points_used = 7;
   detections.samples = 5;
   detections.seen_from_origin = false;
+  detections.depth_waves = 0.0025;
   const PrimitiveArray message = toMessage(detections, someHeader());
   EXPECT_EQ(message.header.stamp, ros::Time(1, 2));
   EXPECT_EQ(message.header.frame_id, "camera");
@@ -80,6 +81,9 @@ TEST(Messages, KeepStampFrameStatusAndCounts) {
   EXPECT_EQ(message.points_used, 7u);
   EXPECT_EQ(message.samples, 5u);
   EXPECT_FALSE(message.seen_from_origin);
+  EXPECT_FLOAT_EQ(message.depth_waves, 0.0025f);
+  EXPECT_FLOAT_EQ(static_cast<float>(fromMessage(message).depth_waves), 0.0025f);
+  EXPECT_EQ(toMessage(Detections(), std_msgs::Header()).depth_waves, -1.0f);
   EXPECT_FALSE(fromMessage(message).seen_from_origin);
   EXPECT_TRUE(toMessage(Detections(), std_msgs::Header()).seen_from_origin);
 }
