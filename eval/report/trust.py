@@ -71,7 +71,7 @@ def group_of(line):
     were shuffled, or are lists, have no rows any more, and the detector makes an image of them again; nor have those
     that a voxel grid averaged, which err less than it expects; of those in another frame than the camera's, unless they
     are lists in their order, it does not know how they were seen; in grains noise errs alike in neighbours, farther
-    than covariances expect, and other sensors bend what they see."""
+    than covariances expect, and all sensors but the usual one bend what they see, one of them nothing else."""
     if line["set"] == CUT_OUT:
         return CUT_OUTS
     if line["set"] not in FRAMES:

@@ -163,10 +163,11 @@ Shape Measurement::fittedToClear(const PointsChoice& from) {
 }
 
 /// Of a fit to the clear points.
-Uncertainties Measurement::uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent) const {
+Uncertainties Measurement::uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent,
+                                         const DepthWaves& waves) const {
   const auto from = [&](const SeenPoints& points) {
     const double shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : 1.0;
-    return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves_}, axis);
+    return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves}, axis);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);
 }
@@ -191,7 +192,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 
 double Measurement::trustInSizeOf(const Fit& fit) const {
   const Extent extent = measureExtent(fit.shape, points_, {});
-  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis, extent).by_noise);
+  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis, extent, {}).by_noise);
 }
 
 /// What is tried in place of a sharp cone that its points do not determine: upright, else the cylinder.
@@ -296,7 +297,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
-  const auto [by_noise, uncertainty] = uncertaintyOf(detection.shape, fit.from.axis, detection.extent);
+  const auto [by_noise, uncertainty] = uncertaintyOf(detection.shape, fit.from.axis, detection.extent, waves_);
   if (does(Step::trust_in_size)) {
     detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, by_noise)));
   }

@@ -101,7 +101,7 @@ std::string noiseText(const Detections& found) {
       found.image_noise);
 }
 
-/// As far as it is more than a fifth of the noise at 1 m.
+/// From half of the noise of structured light at 1 m on.
 std::string wavesText(const Detections& found) {
   constexpr double kLeast = 0.001;
   if (found.depth_waves < kLeast) return "";

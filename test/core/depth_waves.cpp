@@ -109,11 +109,11 @@ TEST(DepthWaves, AreNoneWhereThereIsOnlyNoise) {
 TEST(DepthWaves, AreNoGrains) {
   const PinholeCamera camera;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const std::vector<float> field = synthetic::noiseField(7, camera, seed);
+    const std::vector<float> field = synthetic::noiseField(15, camera, seed);
     std::vector<Vec3> points;
     for (std::size_t k = 0; k < 2048; ++k) {
       const std::size_t i = k * field.size() / 2048;
-      points.push_back((1.0 + 0.003 * static_cast<double>(field[i])) * SeenPlane::rayOf(i, camera));
+      points.push_back((1.0 + 0.005 * static_cast<double>(field[i])) * SeenPlane::rayOf(i, camera));
     }
     WaveFinder finder;
     finder.see(points);
