@@ -168,13 +168,27 @@ struct Causes {
   Hessian noise, waves;
 };
 
-Causes causesOf(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, const SharedErrors& shared) {
+/// Of points that share nothing.
+Hessian independentNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
   const SomeInliers points(inliers);
   const int parameters = parameterCount(kindOf(shape));
-  const Hessian noise = points.share * shared.noise * covarianceOf(sumsOf(shape, points, sigma), parameters);
-  return {capped(noise.allFinite() ? noise : unknown(parameters)),
-          shared.waves.any() ? covarianceOf(shared.waves, shape, inliers, sigma) : Hessian(Hessian::Zero())};
+  const Hessian noise = points.share * covarianceOf(sumsOf(shape, points, sigma), parameters);
+  return noise.allFinite() ? noise : unknown(parameters);
 }
+
+/// Of points of which so many share one deviation, and of waves.
+class CauseFinder {
+ public:
+  CauseFinder(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, const DepthWaves& waves)
+      : alone_(independentNoise(shape, inliers, sigma)),
+        waves_(waves.any() ? covarianceOf(waves, shape, inliers, sigma) : Hessian(Hessian::Zero())) {}
+
+  Causes noise(double shared) const { return {capped(shared * alone_), Hessian::Zero()}; }
+  Causes all(double shared) const { return {capped(shared * alone_), waves_}; }
+
+ private:
+  Hessian alone_, waves_;
+};
 
 /// Of a cylinder or a cone whose axis was held in the fit, and is off by this (rad) on its own account: all else goes
 /// with the axis as the points say, and is as uncertain as they leave it for a given axis.
@@ -295,19 +309,20 @@ Uncertainty uncertaintyOf(const Shape& shape, const Extent& extent, const Hessia
 
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
                           const SharedErrors& shared) {
-  const Causes causes = causesOf(shape, inliers, sigma, shared);
+  const Causes causes = CauseFinder(shape, inliers, sigma, shared.waves).all(shared.noise.all);
   return capped(causes.noise + causes.waves);
 }
 
 Uncertainties measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
                                  const PointNoise& sigma, const SharedErrors& shared, const HeldAxis& axis) {
-  const Causes causes = causesOf(shape, inliers, sigma, shared);
+  const CauseFinder causes(shape, inliers, sigma, shared.waves);
   const auto from = [&](const Causes& some, double deviation) {
     const bool held = std::isfinite(deviation);
     return uncertaintyOf(shape, extent, held ? withHeldAxis(some, shape, deviation) : capped(some.noise + some.waves));
   };
-  const Uncertainty by_noise = from({causes.noise, Hessian::Zero()}, axis.by_noise);
-  return {by_noise, shared.waves.any() ? from(causes, axis.by_all) : by_noise};
+  const Uncertainty by_noise = from(causes.noise(shared.noise.shown), axis.by_noise);
+  const bool is_all = !shared.waves.any() && shared.noise.all == shared.noise.shown;
+  return {by_noise, is_all ? by_noise : from(causes.all(shared.noise.all), axis.by_all)};
 }
 
 }  // namespace primitect

@@ -166,7 +166,7 @@ Shape Measurement::fittedToClear(const PointsChoice& from) {
 Uncertainties Measurement::uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent,
                                          const DepthWaves& waves) const {
   const auto from = [&](const SeenPoints& points) {
-    const double shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : 1.0;
+    const SharedNoise shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : SharedNoise();
     return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves}, axis);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);

@@ -77,13 +77,23 @@ List<Cell> cellsOf(const Members& members, std::size_t count) {
   return cells;
 }
 
+/// Points that share one deviation, of which cells with so many points show this growth. Noise of points d apart in a
+/// row may be alike by 1 - d / g, as the mean of a window of g by g: in cells of c by c points its sums grow by (g -
+/// (g^2 - 1) / 3 c)^2 instead of g^2, up to g = c.
+double inLargerCells(double growth, double points_in_cell) {
+  const double c = std::sqrt(points_in_cell);
+  const double root = std::min(std::sqrt(growth), (2.0 * c * c + 1.0) / (3.0 * c));
+  const double g = 0.5 * (3.0 * c - std::sqrt(std::max(9.0 * c * c - 4.0 * (3.0 * c * root - 1.0), 0.0)));
+  return std::max(g * g, growth);
+}
+
 }  // namespace
 
-double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
+SharedNoise measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
   const Points points(inliers);
   Members members;
   findMembers(shape, points, sigma, members);
-  if (!(members.psi_sq > 0.0)) return 1.0;
+  if (!(members.psi_sq > 0.0)) return {};
   double sums_sq = 0.0, counts_sq = 0.0, count = 0.0;
   for (const Cell& cell : cellsOf(members, points.count)) {
     sums_sq += static_cast<double>(cell.sum) * cell.sum;
@@ -93,12 +103,13 @@ double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const P
   // As many cells of equal size; the fit has made the sums smaller in as many ways as it has parameters.
   const double cells = count * count / counts_sq;
   const double freedom = cells - parameterCount(kindOf(shape));
-  if (!(freedom > 1.0)) return 1.0;
+  if (!(freedom > 1.0)) return {};
   const double growth = sums_sq / members.psi_sq * cells / freedom;
   const double chance = 2.0 * std::sqrt(2.0 / freedom);
-  if (!(growth > 1.0 + chance)) return 1.0;
+  if (!(growth > 1.0 + chance)) return {};
   // Of all points, that many times more lie within reach of each other.
-  return 1.0 + (growth - 1.0) / points.share;
+  const auto ofAll = [&points](double of_these) { return 1.0 + (of_these - 1.0) / points.share; };
+  return {ofAll(growth), ofAll(inLargerCells(growth, count / cells))};
 }
 
 }  // namespace primitect

@@ -9,10 +9,16 @@
 
 namespace primitect {
 
-/// How many of these points share one deviation from the fitted shape, at least 1: the number by which a covariance
-/// from independent points has to be multiplied. From the sums of residuals over some thirty cells of the surface,
-/// which grow like the square root of the number of points only where the noise is independent; 1 unless chance is
-/// ruled out. What is shared over larger parts of the surface goes into the fit and cannot be seen.
-double measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma);
+/// How many points share one deviation from the surface, at least 1: the number by which a covariance from independent
+/// points has to be multiplied.
+struct SharedNoise {
+  double shown = 1.0;  ///< as cells of the surface show it, which are hardly larger than what is shared: too few
+  double all = 1.0;    ///< what that makes of it where the cells would be large
+};
+
+/// Of these points of a fitted shape: from the sums of residuals over some thirty cells of the surface, which grow like
+/// the square root of the number of points only where the noise is independent; 1 unless chance is ruled out. What is
+/// shared over larger parts of the surface goes into the fit and cannot be seen.
+SharedNoise measureSharedNoise(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma);
 
 }  // namespace primitect

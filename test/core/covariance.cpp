@@ -76,8 +76,24 @@ TEST(Covariance, GrowsWithTheNumberOfPointsThatShareTheirNoise) {
   const Patch patch = test::randomPatch(Kind::sphere, 100, random);
   const NoisyFit fit(patch, 0.001, NoiseDirection::any, random);
   const Hessian alone = measureCovariance(*fit.shape, fit.measured, fit.noise());
-  const Hessian shared = measureCovariance(*fit.shape, fit.measured, fit.noise(), {3.0, {}});
+  const Hessian shared = measureCovariance(*fit.shape, fit.measured, fit.noise(), {{3.0, 3.0}, {}});
   EXPECT_LT((shared - 3.0 * alone).norm(), 1e-12 * shared.norm());
+}
+
+TEST(Covariance, IsJudgedByWhatIsShownOfSharedNoiseAndPublishedWithAllOfIt) {
+  Random random(5);
+  const Patch patch = test::randomPatch(Kind::sphere, 100, random);
+  const NoisyFit fit(patch, 0.001, NoiseDirection::any, random);
+  const SeenPoints points(fit.measured);
+  const Extent extent = measureExtent(*fit.shape, points);
+  const auto radius = [&](const SharedErrors& shared) {
+    const Uncertainties both = measureUncertainty(*fit.shape, extent, points, fit.noise(), shared);
+    return std::make_pair(both.by_noise.radius_stddev, both.by_all.radius_stddev);
+  };
+  const double alone = radius({}).second;
+  const auto [judged, published] = radius({{4.0, 9.0}, {}});
+  EXPECT_NEAR(judged, 2.0 * alone, 1e-6 * alone);
+  EXPECT_NEAR(published, 3.0 * alone, 1e-6 * alone);
 }
 
 /// Shift and turn that take the fit's pose to the truth's, of which directions that nobody can observe are left out.

@@ -198,7 +198,7 @@ Errors normalisedErrors(Kind kind) {
       return test::normalisedError(*fit, patch.truth, covariance) / kSeeds;
     };
     mean.alone += errorOf({});
-    mean.with_waves += errorOf({1.0, plane.found(seed)});
+    mean.with_waves += errorOf({{}, plane.found(seed)});
   }
   return mean;
 }

@@ -48,7 +48,7 @@ TEST(SharedNoise, OfIndependentPointsIsOneButForChance) {
       for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);
         const Fit fit = fitWithSharedNoise(test::randomPatch(kind, count, random), 0.0, random);
-        found += measureSharedNoise(fit.shape, fit.points, noise) > 1.0 ? 1 : 0;
+        found += measureSharedNoise(fit.shape, fit.points, noise).all > 1.0 ? 1 : 0;
       }
       // Two standard deviations of a skewed distribution: one in twenty, of 40 rarely more than 6.
       EXPECT_LE(found, 6) << kindName(kind) << " " << count;
@@ -67,7 +67,7 @@ TEST(SharedNoise, MakesTheCovarianceThatOfTheErrors) {
       const Hessian covariance = measureCovariance(fit.shape, fit.points, noise);
       const double error = test::normalisedError(fit.shape, patch.truth, covariance);
       alone += error / kSeeds;
-      shared += error / measureSharedNoise(fit.shape, fit.points, noise) / kSeeds;
+      shared += error / measureSharedNoise(fit.shape, fit.points, noise).all / kSeeds;
     }
     // How much neighbours share differs over the surface, one number for all is a makeshift: a factor of two.
     EXPECT_GT(alone, 4.0) << kindName(kind);
@@ -76,11 +76,47 @@ TEST(SharedNoise, MakesTheCovarianceThatOfTheErrors) {
   }
 }
 
+/// A plane of side by side points, each off by what g by g neighbouring numbers are in the mean.
+Fit planeInGrains(int g, int side, Random& random) {
+  constexpr double kSpacing = 0.003;
+  const int wide = side + g - 1;
+  std::vector<double> numbers;
+  for (int k = 0; k < wide * wide; ++k) numbers.push_back(random.gaussian());
+  std::vector<test::SurfacePoint> points;
+  const Plane plane = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      double sum = 0.0;
+      for (int k = 0; k < g * g; ++k) sum += numbers[static_cast<std::size_t>((row + k / g) * wide + column + k % g)];
+      points.push_back({Vec3(column * kSpacing, row * kSpacing, 1.0 + kNoise * sum / g), plane.normal});
+    }
+  }
+  Fit fit{*test::fitTo(points, plane, noise), {}};
+  for (const test::SurfacePoint& p : points) fit.points.push_back(p.point);
+  return fit;
+}
+
+TEST(SharedNoise, OfGrainsIsTheirPointsThoughCellsAreHardlyLarger) {
+  constexpr int kSeeds = 60;
+  for (const int g : {3, 5}) {
+    double shown = 0.0, all = 0.0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      Random random(seed);
+      const Fit fit = planeInGrains(g, 40, random);  // its cells are 7 by 7 points
+      const SharedNoise shared = measureSharedNoise(fit.shape, fit.points, noise);
+      shown += shared.shown / kSeeds, all += shared.all / kSeeds;
+    }
+    EXPECT_LT(shown, 0.65 * g * g) << g;
+    EXPECT_GT(all, 0.75 * g * g) << g;
+    EXPECT_LT(all, 1.1 * g * g) << g;
+  }
+}
+
 TEST(SharedNoise, IsOneWhereNothingCanBeSaid) {
   const Sphere sphere = {Vec3(0, 0, 1), 0.1};
   for (const std::size_t count : {0, 1, 100}) {
-    EXPECT_EQ(measureSharedNoise(sphere, std::vector<Vec3>(count, Vec3(0, 0, 0.9)), noise), 1.0);
-    EXPECT_EQ(measureSharedNoise(sphere, std::vector<Vec3>(count, Vec3(0, 0, 0.901)), noise), 1.0);
+    EXPECT_EQ(measureSharedNoise(sphere, std::vector<Vec3>(count, Vec3(0, 0, 0.9)), noise).all, 1.0);
+    EXPECT_EQ(measureSharedNoise(sphere, std::vector<Vec3>(count, Vec3(0, 0, 0.901)), noise).all, 1.0);
   }
 }
 
@@ -93,7 +129,7 @@ TEST(SharedNoise, OfPointsOnALineIsMeasuredToo) {
     const Vec3 rounding{0.0, random.uniform(-1e-9, 1e-9), random.uniform(-1e-9, 1e-9)};
     points.push_back(plane.point + Vec3(0.003 * k, 0, 0) + 0.3 * kNoise * plane.normal + rounding);
   }
-  EXPECT_GE(measureSharedNoise(plane, points, noise), 1.0);  // threw: as many cells as no list holds
+  EXPECT_GE(measureSharedNoise(plane, points, noise).all, 1.0);  // threw: as many cells as no list holds
 }
 
 }  // namespace
