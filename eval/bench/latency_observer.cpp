@@ -74,7 +74,7 @@ void spinFor(double seconds, const Condition& enough) {
   }
 }
 
-Json toJson(const std::deque<Pair>& pairs, double begin, double end) {
+Json toJson(const std::deque<Pair>& pairs, const ros::Time& origin, double begin, double end) {
   Json list = Json::array();
   for (const Pair& pair : pairs) {
     Json answers = Json::array();
@@ -83,7 +83,8 @@ Json toJson(const std::deque<Pair>& pairs, double begin, double end) {
     }
     list.push_back({{"sent", pair.sent}, {"answers", answers}});
   }
-  return {{"begin", begin},
+  return {{"origin", origin.toSec()},
+          {"begin", begin},
           {"end", end},
           {"answer_columns", {"stamp", "received", "processing_time", "primitives", "samples"}},
           {"pairs", list}};
@@ -115,7 +116,7 @@ int observe(const Options& options) {
   std::fflush(stdout);
   spinFor(options.drain, [] { return false; });
   std::ofstream file(options.out);
-  file << toJson(pairs, begin, end) << "\n" << std::flush;
+  file << toJson(pairs, origin, begin, end) << "\n" << std::flush;
   return file ? 0 : 1;
 }
 

@@ -6,7 +6,6 @@ from report.tables import Table, cell
 
 MILLISECONDS = 1000.0
 PERCENT = 100.0
-WAKE_UP = 0.002  # s, that a detector's thread may take from one frame to the next
 
 
 def frames_of(pair, begin, end):
@@ -22,20 +21,20 @@ def latencies_ms(frames):
     return [MILLISECONDS * (answer[1] - stamp) for stamp, answer in frames if answer]
 
 
-def drops(frames):
-    """(replaced, lost): frames without answer that a newer one replaced while the detector was busy, as a queue of one
-    must, and frames that were lost for another reason. What came after the last answer is not judged."""
+def drops(frames, discards):
+    """(replaced, lost): frames without answer that a queue of one threw away for a newer one, as it must, and frames that
+    were lost for another reason. discards: when it said so, which it does once for all in a row. What came after the
+    last answer is not judged, nor what came before the first."""
     replaced = lost = 0
-    free_at = None  # when the answer before was there
-    last_answered = max((k for k, (_, answer) in enumerate(frames) if answer), default=-1)
-    for k, (_, answer) in enumerate(frames[:last_answered + 1]):
-        if answer:
-            free_at = answer[1]
+    waiting, answered_before = [], False
+    for stamp, answer in frames:
+        if not answer:
+            waiting.append(stamp)
             continue
-        if free_at is None:  # what went on before the first answer is not known
-            continue
-        busy_until_next = frames[k + 1][0] <= free_at + WAKE_UP
-        replaced, lost = replaced + busy_until_next, lost + (not busy_until_next)
+        if waiting and answered_before:
+            said = any(waiting[0] <= moment <= answer[1] for moment in discards)
+            replaced, lost = replaced + said * len(waiting), lost + (not said) * len(waiting)
+        waiting, answered_before = [], True
     return replaced, lost
 
 
@@ -44,13 +43,14 @@ def cpu_share(ticks_begin, ticks_end, seconds, ticks_per_second):
     return PERCENT * (ticks_end - ticks_begin) / ticks_per_second / seconds
 
 
-def figures_of(observed, cpu_percent):
-    """Figures of one scenario, over all cameras."""
+def figures_of(observed, cpu_percent, discards):
+    """Figures of one scenario, over all cameras. discards: of each camera's queue, s since 1970."""
     begin, end = observed["begin"], observed["end"]
     frames = [frames_of(pair, begin, end) for pair in observed["pairs"]]
     times = [ms for one in frames for ms in latencies_ms(one)]
     processing = [answer[2] for one in frames for _, answer in one if answer]
-    dropped = [drops(one) for one in frames]
+    dropped = [drops(one, [moment - observed["origin"] for moment in of_queue])
+               for one, of_queue in zip(frames, discards)]
     sent = sum(len(one) for one in frames)
     return {"sent": sent, "answered": len(times), "camera_hz": sent / len(frames) / (end - begin),
             "p50_ms": percentile(times, 50), "p95_ms": percentile(times, 95), "p99_ms": percentile(times, 99),
@@ -80,8 +80,8 @@ def scenario_table(scenarios):
     note = ("640x480, 16 bytes a point. Latency: from the cloud's publication to the arrival of its primitives in "
             "another process, ms. Processing: what the detector itself says, median ms. CPU: of the process with the "
             "detector, percent of one core; a nodelet's manager has the camera in it, which repeats rendered clouds "
-            "and costs next to nothing. Replaced: by a newer frame while the detector was busy (queue of one); lost: "
-            "without such a reason.")
+            "and costs next to nothing. Replaced: thrown away for a newer frame by the detector's queue of one, as "
+            "roscpp says; lost: without that.")
     columns = ["camera Hz", "p50", "p95", "p99", "processing", "CPU %", "sent", "answered", "replaced", "lost"]
     return Table("latency", "Through a real master", note, [("", len(names))], columns, rows)
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A master of its own with nodes and nodelets, which are all gone when it ends; and what /proc says of them."""
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -9,6 +10,8 @@ import tempfile
 import time
 import xmlrpc.client
 
+# What roscpp says where a subscriber's queue was full: of several discarded in a row, once.
+DISCARD = re.compile(r"\[(\d+\.\d+)\] Incoming queue was full for topic \"([^\"]+)\"")
 PATIENCE = 60.0  # s; a busy machine is slow
 CALLER = "/eval"
 
@@ -66,16 +69,28 @@ class Session:
         """Starts a program in a group of its own, so that it ends with all that it started."""
         log = open(os.path.join(self.folder.name, "output.log"), "ab")
         with log:
-            process = subprocess.Popen(command, env=self.environment, start_new_session=True,
-                                       **dict({"stdout": log, "stderr": log}, **options))
+            process = subprocess.Popen(command, start_new_session=True,
+                                       **dict({"stdout": log, "stderr": log, "env": self.environment}, **options))
         self.started.append(process)
         return process
 
     def node(self, name, *command):
         """Starts a node under an absolute name and waits for it; returns its process number."""
         namespace, _, base = name.rpartition("/")
-        self.start([*command, "__name:=" + base] + (["__ns:=" + namespace] if namespace else []))
+        self.start([*command, "__name:=" + base] + (["__ns:=" + namespace] if namespace else []),
+                   env=dict(self.environment, **self.telling_discards()))
         return self.wait_for(lambda: self.pid_of(name), name)
+
+    def telling_discards(self):
+        """What makes a node tell what its queues discard."""
+        path = os.path.join(self.folder.name, "rosconsole.config")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("log4j.logger.ros=INFO\nlog4j.logger.ros.roscpp=DEBUG\n")
+        return {"ROSCONSOLE_CONFIG_FILE": path, "ROSCONSOLE_FORMAT": "[${time}] ${message}"}
+
+    def discards(self, topic):
+        """When queues of this topic were full, s since 1970."""
+        return [float(moment) for moment, of in DISCARD.findall(self.said()) if of == topic]
 
     def manager(self, name, threads):
         """An empty nodelet manager; returns its process number."""
@@ -98,9 +113,12 @@ class Session:
             time.sleep(0.1)
         raise Failed("%s did not start. %s" % (what, self.last_words()))
 
-    def last_words(self):
+    def said(self):
         with open(os.path.join(self.folder.name, "output.log"), encoding="utf-8", errors="replace") as file:
-            return file.read()[-1500:]
+            return file.read()
+
+    def last_words(self):
+        return self.said()[-1500:]
 
 
 def end(process):

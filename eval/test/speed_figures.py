@@ -11,7 +11,7 @@ sys.dont_write_bytecode = True
 EVAL = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, EVAL)
 
-from report import latency, profile, speed, speed_page, speed_plots, speed_runs, tables  # noqa: E402
+from report import latency, profile, ros_session, speed, speed_page, speed_plots, speed_runs, tables  # noqa: E402
 
 
 def case(times, stages=None, **facts):
@@ -171,31 +171,58 @@ def test_latencies_are_of_answered_frames_within_the_time():
     assert [round(ms) for ms in latency.latencies_ms(frames)] == [200, 400]
 
 
-def test_a_frame_replaced_while_the_detector_is_busy_is_no_loss():
-    # The first is worked on until 2.5: the third takes the place of the second.
-    assert latency.drops(latency.frames_of(pair([0.0, 1.0, 2.0], f0=2.5, f2=4.0), 0, 9)) == (1, 0)
+def drops(told, sent, **answers):
+    return latency.drops(latency.frames_of(pair(sent, **answers), 0, 9), told)
 
 
-def test_a_frame_that_an_idle_detector_did_not_take_is_lost():
-    assert latency.drops(latency.frames_of(pair([0.0, 1.0, 2.0], f0=0.5, f2=2.5), 0, 9)) == (0, 1)
+def test_a_frame_that_the_queue_threw_away_is_no_loss():
+    # The first is worked on until 2.5: the third takes the place of the second. Of two in a row it says so once.
+    assert drops([2.0], [0.0, 1.0, 2.0], f0=2.5, f2=4.0) == (1, 0)
+    assert drops([2.0], [0.0, 1.0, 2.0, 2.2, 5.0], f0=2.5, f3=4.0, f4=6.0) == (2, 0)
+
+
+def test_a_frame_that_no_queue_threw_away_is_lost():
+    # Whether the detector was idle or busy meanwhile, and whatever the queue threw away at another time.
+    for answered in (0.5, 2.5):
+        assert drops([], [0.0, 1.0, 2.0], f0=answered, f2=4.0) == (0, 1)
+        assert drops([0.4, 4.1], [0.0, 1.0, 2.0], f0=answered, f2=4.0) == (0, 1)
 
 
 def test_frames_before_the_first_and_after_the_last_answer_are_not_judged():
-    assert latency.drops(latency.frames_of(pair([0.0, 1.0, 2.0], f1=1.5), 0, 9)) == (0, 0)
-    assert latency.drops([]) == (0, 0)
+    assert drops([], [0.0, 1.0, 2.0], f1=1.5) == (0, 0)
+    assert latency.drops([], []) == (0, 0)
+
+
+def test_discards_are_read_from_what_nodes_say():
+    class Said(ros_session.Session):
+        def __init__(self):
+            pass
+
+        def said(self):
+            return ('\x1b[32m[12.500000001] Incoming queue was full for topic "/a". Discarded oldest message (current '
+                    'queue size [0])\x1b[0m\n[13.0] Incoming queue was full for topic "/b". Discarded\n[14.0] other\n')
+
+    assert Said().discards("/a") == [12.500000001] and Said().discards("/c") == []
 
 
 def test_a_scenario_adds_its_cameras_up():
     both = [pair([1.0, 2.0], f0=1.1, f1=2.1), pair([1.0, 2.0], f0=1.3, f1=2.3)]
-    observed = {"begin": 0.0, "end": 10.0, "pairs": both}
-    got = latency.figures_of(observed, latency.cpu_share(100, 600, 10.0, 100))
+    observed = {"origin": 100.0, "begin": 0.0, "end": 10.0, "pairs": both}
+    got = latency.figures_of(observed, latency.cpu_share(100, 600, 10.0, 100), [[], []])
     assert (got["sent"], got["answered"], got["lost"], got["cpu_percent"]) == (4, 4, 0, 50.0)
     assert round(got["p50_ms"]) == 200 and round(got["busy_percent"], 6) == 0.4 and got["camera_hz"] == 0.2
 
 
+def test_a_queue_counts_for_its_own_camera_by_the_clock():
+    both = [pair([1.0, 2.0, 3.0], f0=2.5, f2=3.5), pair([1.0, 2.0, 3.0], f0=2.5, f2=3.5)]
+    observed = {"origin": 100.0, "begin": 0.0, "end": 10.0, "pairs": both}
+    got = latency.figures_of(observed, 0.0, [[103.0], []])
+    assert (got["replaced"], got["lost"]) == (1, 1)
+
+
 def test_four_cameras_and_memory_have_targets():
-    observed = {"begin": 0.0, "end": 1.0, "pairs": [pair([k / 30 for k in range(30)], f0=0.1)]}
-    result = {"scenarios": {"four cameras, nodelets, 30 Hz": latency.figures_of(observed, 61.0)},
+    observed = {"origin": 0.0, "begin": 0.0, "end": 1.0, "pairs": [pair([k / 30 for k in range(30)], f0=0.1)]}
+    result = {"scenarios": {"four cameras, nodelets, 30 Hz": latency.figures_of(observed, 61.0, [[]])},
               "memory": {"empty_mb": 30.0, "peak_mb": 90.0}}
     assert [speed.verdict(t) for t in latency.targets(result)] == [
         speed.REACHED, speed.REACHED, speed.MISSED, speed.REACHED]
