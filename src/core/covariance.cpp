@@ -140,24 +140,27 @@ Hessian covarianceOf(const DepthWaves& waves, const Shape& shape, const SeenPoin
   float one[Points::kRoom], inverse[Points::kRoom];
   sigma.at(points, one);
   Eigen::Matrix<double, kMostParameters, kMost> moved = decltype(moved)::Zero();
-  double u[kMost], v[kMost];
+  float u[kMost], v[kMost];
   for (std::size_t k = 0; k < points.count; ++k) {
     const Vec3 p = points.point(k), normal(feet.nx[k], feet.ny[k], feet.nz[k]);
     const bool within = std::abs(feet.distance[k]) < static_cast<float>(kInlierDeviations) * one[k];
     inverse[k] = within ? 1.0f / one[k] : 0.0f;
-    u[k] = p.x() / p.z(), v[k] = p.y() / p.z();
+    u[k] = static_cast<float>(p.x() / p.z()), v[k] = static_cast<float>(p.y() / p.z());
     const double weight = p.dot(normal) * inverse[k] * inverse[k];
     for (int r = 0; r < gradients.rows; ++r) moved(r, k) = weight * gradients.row[r][k];
   }
   const Hessian information = sumOfSquares(gradients, inverse, points.count);
   moved = (directionsOf(information, parameterCount(kindOf(shape))).fit * moved).eval();
   Hessian covariance = Hessian::Zero();
+  float apart_sq[kMost], alike[kMost];
   for (std::size_t k = 0; k < points.count; ++k) {
-    Gradient with_others = 0.5 * waves.covariance(0.0) * moved.col(k);
     for (std::size_t other = 0; other < k; ++other) {
-      const double across = u[k] - u[other], down = v[k] - v[other];
-      with_others += waves.covariance(across * across + down * down) * moved.col(other);
+      const float across = u[k] - u[other], down = v[k] - v[other];
+      apart_sq[other] = across * across + down * down;
     }
+    waves.covariances(apart_sq, k, alike);
+    Gradient with_others = 0.5 * waves.covariance(0.0) * moved.col(k);
+    for (std::size_t other = 0; other < k; ++other) with_others += alike[other] * moved.col(other);
     covariance += moved.col(k) * with_others.transpose() + with_others * moved.col(k).transpose();
   }
   return covariance.allFinite() ? covariance : Hessian(Hessian::Zero());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,6 +31,17 @@ struct DepthWaves {
     double sum = 0.0;
     for (std::size_t k = 0; k < kReaches.size(); ++k) sum += variances[k] * alike(kReaches[k], apart_sq);
     return sum;
+  }
+
+  /// The same, of several, in lanes.
+  void covariances(const float* apart_sq, std::size_t count, float* result) const {
+    std::fill_n(result, count, 0.0f);
+    for (std::size_t field = 0; field < kReaches.size(); ++field) {
+      if (variances[field] == 0.0) continue;
+      const auto variance = static_cast<float>(variances[field]);
+      const auto per_reach_sq = static_cast<float>(1.0 / (kReaches[field] * kReaches[field]));
+      for (std::size_t k = 0; k < count; ++k) result[k] += variance / (1.0f + apart_sq[k] * per_reach_sq);
+    }
   }
 
   /// Correlation within a field.
