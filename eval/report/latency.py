@@ -22,18 +22,22 @@ def latencies_ms(frames):
 
 
 def drops(frames, discards):
-    """(replaced, lost): frames without answer that a queue of one threw away for a newer one, as it must, and frames that
-    were lost for another reason. discards: when it said so, which it does once for all in a row. What came after the
-    last answer is not judged, nor what came before the first."""
+    """(replaced, lost): frames without answer that a queue of one threw away for a newer one, as it must, and frames
+    that were lost for another reason. discards: when it said so, which it does once for all in a row: one that is lost
+    among such counts as replaced. What came after the last answer is not judged, nor what came before the first."""
     replaced = lost = 0
     waiting, answered_before = [], False
     for stamp, answer in frames:
         if not answer:
             waiting.append(stamp)
             continue
-        if waiting and answered_before:
-            said = any(waiting[0] <= moment <= answer[1] for moment in discards)
-            replaced, lost = replaced + said * len(waiting), lost + (not said) * len(waiting)
+        taken = answer[1] - answer[2]  # from then on others wait
+        if not answered_before:
+            pass
+        elif waiting and any(waiting[0] <= moment <= taken for moment in discards):
+            replaced += len(waiting)
+        else:
+            lost += len(waiting)
         waiting, answered_before = [], True
     return replaced, lost
 

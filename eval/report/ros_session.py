@@ -11,7 +11,10 @@ import time
 import xmlrpc.client
 
 # What roscpp says where a subscriber's queue was full: of several discarded in a row, once.
-DISCARD = re.compile(r"\[(\d+\.\d+)\] Incoming queue was full for topic \"([^\"]+)\"")
+DISCARD = re.compile(r"\[(\d+\.\d+)\] Incoming queue (?:was )?full for topic \"([^\"]+)\"")
+# It is said at a level that is not usual; not what is said of every message.
+LEVELS = ("log4j.logger.ros=INFO\nlog4j.logger.ros.roscpp=DEBUG\nlog4j.logger.ros.roscpp.superdebug=WARN\n")
+FORMAT = "[${severity}] [${time}] ${message}"
 PATIENCE = 60.0  # s; a busy machine is slow
 CALLER = "/eval"
 
@@ -46,6 +49,11 @@ class Session:
         self.environment = dict(environment_of(setup), ROS_MASTER_URI=self.uri, ROS_HOSTNAME="localhost",
                                 ROS_HOME=self.folder.name, ROS_LOG_DIR=self.folder.name,
                                 ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
+        levels = os.path.join(self.folder.name, "rosconsole.config")
+        with open(levels, "w", encoding="utf-8") as file:
+            file.write(LEVELS)
+        # Of nodes, which tell what their queues discard.
+        self.telling = dict(self.environment, ROSCONSOLE_CONFIG_FILE=levels, ROSCONSOLE_FORMAT=FORMAT)
         self.started = []
 
     def __enter__(self):
@@ -78,19 +86,15 @@ class Session:
         """Starts a node under an absolute name and waits for it; returns its process number."""
         namespace, _, base = name.rpartition("/")
         self.start([*command, "__name:=" + base] + (["__ns:=" + namespace] if namespace else []),
-                   env=dict(self.environment, **self.telling_discards()))
+                   env=self.telling)
         return self.wait_for(lambda: self.pid_of(name), name)
 
-    def telling_discards(self):
-        """What makes a node tell what its queues discard."""
-        path = os.path.join(self.folder.name, "rosconsole.config")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write("log4j.logger.ros=INFO\nlog4j.logger.ros.roscpp=DEBUG\n")
-        return {"ROSCONSOLE_CONFIG_FILE": path, "ROSCONSOLE_FORMAT": "[${time}] ${message}"}
-
     def discards(self, topic):
-        """When queues of this topic were full, s since 1970."""
-        return [float(moment) for moment, of in DISCARD.findall(self.said()) if of == topic]
+        """When queues of this topic were full, s since 1970. Raises Failed where nodes do not tell."""
+        said = self.said()
+        if "[DEBUG] [" not in said:
+            raise Failed("roscpp does not tell what its queues discard")
+        return discards_in(said, topic)
 
     def manager(self, name, threads):
         """An empty nodelet manager; returns its process number."""
@@ -119,6 +123,10 @@ class Session:
 
     def last_words(self):
         return self.said()[-1500:]
+
+
+def discards_in(said, topic):
+    return [float(moment) for moment, of in DISCARD.findall(said) if of == topic]
 
 
 def end(process):

@@ -160,9 +160,9 @@ def test_every_table_and_plot_is_made_of_what_there_is():
         assert speed_plots.curves({}, folder) is None
 
 
-def pair(sent, **answers):
-    """Frames sent at these times; answers as f0=0.5: the answer to the first frame came at 0.5."""
-    return {"sent": sent, "answers": [[sent[int(k[1:])], at, 0.01, 3, 2048] for k, at in answers.items()]}
+def pair(sent, took=0.01, **answers):
+    """Frames sent at these times; answers as f0=0.5: the answer to the first frame came at 0.5, after s of work."""
+    return {"sent": sent, "answers": [[sent[int(k[1:])], at, took, 3, 2048] for k, at in answers.items()]}
 
 
 def test_latencies_are_of_answered_frames_within_the_time():
@@ -171,8 +171,8 @@ def test_latencies_are_of_answered_frames_within_the_time():
     assert [round(ms) for ms in latency.latencies_ms(frames)] == [200, 400]
 
 
-def drops(told, sent, **answers):
-    return latency.drops(latency.frames_of(pair(sent, **answers), 0, 9), told)
+def drops(told, sent, took=0.01, **answers):
+    return latency.drops(latency.frames_of(pair(sent, took, **answers), 0, 9), told)
 
 
 def test_a_frame_that_the_queue_threw_away_is_no_loss():
@@ -188,21 +188,21 @@ def test_a_frame_that_no_queue_threw_away_is_lost():
         assert drops([0.4, 4.1], [0.0, 1.0, 2.0], f0=answered, f2=4.0) == (0, 1)
 
 
+def test_what_is_thrown_away_during_the_work_on_a_frame_comes_after_it():
+    # The third is worked on from 2 to 5, when the fifth takes the place of the fourth; nothing took that of the second.
+    assert drops([4.0], [0.0, 1.0, 2.0, 3.0, 4.0], took=3.0, f0=0.5, f2=5.0, f4=8.0) == (1, 1)
+
+
 def test_frames_before_the_first_and_after_the_last_answer_are_not_judged():
     assert drops([], [0.0, 1.0, 2.0], f1=1.5) == (0, 0)
     assert latency.drops([], []) == (0, 0)
 
 
 def test_discards_are_read_from_what_nodes_say():
-    class Said(ros_session.Session):
-        def __init__(self):
-            pass
-
-        def said(self):
-            return ('\x1b[32m[12.500000001] Incoming queue was full for topic "/a". Discarded oldest message (current '
-                    'queue size [0])\x1b[0m\n[13.0] Incoming queue was full for topic "/b". Discarded\n[14.0] other\n')
-
-    assert Said().discards("/a") == [12.500000001] and Said().discards("/c") == []
+    said = ('\x1b[32m[DEBUG] [12.500000001] Incoming queue was full for topic "/a". Discarded oldest message (current '
+            'queue size [0])\x1b[0m\n[DEBUG] [13.0] Incoming queue was full for topic "/b". Discarded\n'
+            '[INFO] [14.0] Incoming\n')
+    assert ros_session.discards_in(said, "/a") == [12.500000001] and ros_session.discards_in(said, "/c") == []
 
 
 def test_a_scenario_adds_its_cameras_up():

@@ -128,8 +128,8 @@ Hessian covarianceOf(const FitSums& sums, int parameters) {
 
 /// What waves make of a fit. A relative error of the depth at p moves it by that share of p, and its distance by the
 /// share of n.p. From some of the points, as every pair of them counts; and the map from errors to parameters is from
-/// the same ones, so that what moves all depths alike only makes the shape larger or smaller. In double: of what points
-/// hardly determine little more than rounding would be left.
+/// the same ones, so that what moves all depths alike only makes the shape larger or smaller. The map is in double: of
+/// what points hardly determine little more than rounding would be left. How much errors are alike need not be.
 Hessian covarianceOf(const DepthWaves& waves, const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
   constexpr std::size_t kMost = 64;
   using Points = SomePoints<kMost>;
@@ -179,13 +179,14 @@ Hessian independentNoise(const Shape& shape, const SeenPoints& inliers, const Po
   return noise.allFinite() ? noise : unknown(parameters);
 }
 
-/// Of points of which so many share one deviation, and of waves.
-class CauseFinder {
+/// Covariance of points that share nothing, and of waves.
+class KeptCauses {
  public:
-  CauseFinder(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, const DepthWaves& waves)
+  KeptCauses(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, const DepthWaves& waves)
       : alone_(independentNoise(shape, inliers, sigma)),
         waves_(waves.any() ? covarianceOf(waves, shape, inliers, sigma) : Hessian(Hessian::Zero())) {}
 
+  /// Of points of which so many share one deviation.
   Causes noise(double shared) const { return {capped(shared * alone_), Hessian::Zero()}; }
   Causes all(double shared) const { return {capped(shared * alone_), waves_}; }
 
@@ -312,19 +313,19 @@ Uncertainty uncertaintyOf(const Shape& shape, const Extent& extent, const Hessia
 
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
                           const SharedErrors& shared) {
-  const Causes causes = CauseFinder(shape, inliers, sigma, shared.waves).all(shared.noise.all);
+  const Causes causes = KeptCauses(shape, inliers, sigma, shared.waves).all(shared.noise.all);
   return capped(causes.noise + causes.waves);
 }
 
 Uncertainties measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
                                  const PointNoise& sigma, const SharedErrors& shared, const HeldAxis& axis) {
-  const CauseFinder causes(shape, inliers, sigma, shared.waves);
+  const KeptCauses causes(shape, inliers, sigma, shared.waves);
   const auto from = [&](const Causes& some, double deviation) {
     const bool held = std::isfinite(deviation);
     return uncertaintyOf(shape, extent, held ? withHeldAxis(some, shape, deviation) : capped(some.noise + some.waves));
   };
   const Uncertainty by_noise = from(causes.noise(shared.noise.shown), axis.by_noise);
-  const bool is_all = !shared.waves.any() && shared.noise.all == shared.noise.shown;
+  const bool is_all = !shared.waves.any() && shared.noise.all == shared.noise.shown && axis.by_all == axis.by_noise;
   return {by_noise, is_all ? by_noise : from(causes.all(shared.noise.all), axis.by_all)};
 }
 

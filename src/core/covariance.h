@@ -42,24 +42,26 @@ struct SharedErrors {
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
                           const SharedErrors& shared = {});
 
-/// Rad, finite where the fit held the axis of a cylinder or a cone: by how much that is off, by noise alone and with
-/// waves.
+/// Rad, finite where the fit held the axis of a cylinder or a cone: by how much that is off, by the noise that is
+/// shown, and by all.
 struct HeldAxis {
   double by_noise = std::numeric_limits<double>::infinity();
   double by_all = by_noise;
 };
 
+/// Of one fit, twice.
 struct Uncertainties {
-  /// What decides what is believed: by the noise that is shown. Limits are fitted to it; by all of what points share 2
-  /// to 3 % less is found on tables with grains of 5 to 7 pixels (seeds 300 to 339), for a third less that is wrong.
+  /// By the noise that is shown (SharedNoise): what decides whether a shape is believed. Limits are fitted to it. By
+  /// all of what points share, 2 to 3 % fewer shapes are found on tables with grains of 5 to 7 pixels, and a third
+  /// fewer false ones (compare --set tabletop --seeds 300:40 --noise-grain 7).
   Uncertainty by_noise;
   Uncertainty by_all;  ///< what is published
 };
 
-/// The same, of what is published. Unobservable, hence kUnobservable: plane: shifts within it and the turn about its
-/// normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The origin of a
-/// cone is taken as fixed to it, at its height above the apex: along the axis it is as uncertain as the apex. The
-/// radius of a cone is that where its wide end was seen.
+/// Of pose and size, as they are published. Unobservable, hence kUnobservable: plane: shifts within it and the turn
+/// about its normal; sphere: turns; cylinder: shift along and turn about its axis; cone: turn about its axis. The
+/// origin of a cone is taken as fixed to it, at its height above the apex: along the axis it is as uncertain as the
+/// apex. The radius of a cone is that where its wide end was seen.
 Uncertainties measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
                                  const PointNoise& sigma, const SharedErrors& shared = {}, const HeldAxis& axis = {});
 

@@ -162,12 +162,19 @@ Shape Measurement::fittedToClear(const PointsChoice& from) {
   return misfitOf(last, points_, sigma_) <= std::max(before, std::min(kWorse * before, kMost)) ? last : start;
 }
 
-/// Of a fit to the clear points.
-Uncertainties Measurement::uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent,
-                                         const DepthWaves& waves) const {
+/// Of a fit to the clear points; without waves only what decides, which then stands for both.
+Uncertainties Measurement::uncertaintyOf(const Shape& fit, HeldAxis axis, const Extent& extent,
+                                         const DepthWaves* waves) const {
   const auto from = [&](const SeenPoints& points) {
-    const SharedNoise shared_noise = does(Step::shared_noise) ? measureSharedNoise(fit, points, sigma_) : SharedNoise();
-    return measureUncertainty(fit, extent, points, sigma_, {shared_noise, waves}, axis);
+    SharedErrors shared;
+    if (does(Step::shared_noise)) shared.noise = measureSharedNoise(fit, points, sigma_);
+    if (waves) {
+      shared.waves = *waves;
+    } else {
+      shared.noise.all = shared.noise.shown;
+      axis.by_all = axis.by_noise;
+    }
+    return measureUncertainty(fit, extent, points, sigma_, shared, axis);
   };
   return isFittedAlongRays(fit) ? from(AlongRays(fit_points_).seenFor(fit)) : from(clear_);
 }
@@ -192,7 +199,7 @@ Measurement::Fit Measurement::fitted(const List<std::uint32_t>& clear, const OnS
 
 double Measurement::trustInSizeOf(const Fit& fit) const {
   const Extent extent = measureExtent(fit.shape, points_, {});
-  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis, extent, {}).by_noise);
+  return trustInSize(fit.shape, uncertaintyOf(fit.shape, fit.from.axis, extent).by_noise);
 }
 
 /// What is tried in place of a sharp cone that its points do not determine: upright, else the cylinder.
@@ -297,7 +304,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   if (kindOf(detection.shape) == Kind::cone && detection.extent.radius_small == 0.0) {
     detection.extent.unseen_ends &= static_cast<std::uint8_t>(~kEndAtMinusZ);
   }
-  const auto [by_noise, uncertainty] = uncertaintyOf(detection.shape, fit.from.axis, detection.extent, waves_);
+  const auto [by_noise, uncertainty] = uncertaintyOf(detection.shape, fit.from.axis, detection.extent, &waves_);
   if (does(Step::trust_in_size)) {
     detection.confidence *= static_cast<float>(std::min(fit.most_trust, trustInSize(detection.shape, by_noise)));
   }

@@ -69,8 +69,8 @@ class Measurement {
   std::optional<PointsChoice> upright(const Face& face, PointsChoice choice, Leaning leaning) const;
   std::optional<PointsChoice> insteadOf(const Fit& doubtful, const Detection& found);
   Shape fittedToClear(const PointsChoice& from);
-  Uncertainties uncertaintyOf(const Shape& fit, const HeldAxis& axis, const Extent& extent,
-                              const DepthWaves& waves) const;
+  Uncertainties uncertaintyOf(const Shape& fit, HeldAxis axis, const Extent& extent,
+                              const DepthWaves* waves = nullptr) const;
   double leaveOutThinEnds(const Shape& shape);
   double keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept);
   void endAtFacesOrTip(Detection& detection) const;

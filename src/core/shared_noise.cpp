@@ -77,12 +77,16 @@ List<Cell> cellsOf(const Members& members, std::size_t count) {
   return cells;
 }
 
-/// Points that share one deviation, of which cells with so many points show this growth. Noise of points d apart in a
-/// row may be alike by 1 - d / g, as the mean of a window of g by g: in cells of c by c points its sums grow by (g -
-/// (g^2 - 1) / 3 c)^2 instead of g^2, up to g = c.
+/// growth: of independent noise the square of a cell's sum is as large as the squares of its points together, in the
+/// mean; here it is so many times as large. Of points that share one deviation it would be their number, were cells
+/// large. In an image noise of points d apart in a row may be alike by 1 - d / g, as the mean of a window of g by g
+/// points is: in cells of c by c points it grows by (g - (g^2 - 1) / (3 c))^2 instead of g^2, as long as g <= c. Seen
+/// at a slant, cells are not square, and noise grows less in them.
 double inLargerCells(double growth, double points_in_cell) {
+  constexpr double kFewest = 9.0;  // that hold a grain at all
+  if (points_in_cell < kFewest) return growth;
   const double c = std::sqrt(points_in_cell);
-  const double root = std::min(std::sqrt(growth), (2.0 * c * c + 1.0) / (3.0 * c));
+  const double root = std::min(std::sqrt(growth), (2.0 * c * c + 1.0) / (3.0 * c));  // what it is of g = c
   const double g = 0.5 * (3.0 * c - std::sqrt(std::max(9.0 * c * c - 4.0 * (3.0 * c * root - 1.0), 0.0)));
   return std::max(g * g, growth);
 }
@@ -108,8 +112,8 @@ SharedNoise measureSharedNoise(const Shape& shape, const SeenPoints& inliers, co
   const double chance = 2.0 * std::sqrt(2.0 / freedom);
   if (!(growth > 1.0 + chance)) return {};
   // Of all points, that many times more lie within reach of each other.
-  const auto ofAll = [&points](double of_these) { return 1.0 + (of_these - 1.0) / points.share; };
-  return {ofAll(growth), ofAll(inLargerCells(growth, count / cells))};
+  const double shown = 1.0 + (growth - 1.0) / points.share;
+  return {shown, inLargerCells(shown, count / cells / points.share)};
 }
 
 }  // namespace primitect

@@ -12,8 +12,9 @@ namespace primitect {
 /// How many points share one deviation from the surface, at least 1: the number by which a covariance from independent
 /// points has to be multiplied.
 struct SharedNoise {
-  double shown = 1.0;  ///< as cells of the surface show it, which are hardly larger than what is shared: too few
-  double all = 1.0;    ///< what that makes of it where the cells would be large
+  double shown = 1.0;  ///< as cells of the surface show it: too few where they are hardly larger than what is shared
+  double all =
+      1.0;  ///< what that makes of it in large cells; no more than a cell holds, so still too few of large grains
 };
 
 /// Of these points of a fitted shape: from the sums of residuals over some thirty cells of the surface, which grow like

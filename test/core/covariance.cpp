@@ -96,6 +96,17 @@ TEST(Covariance, IsJudgedByWhatIsShownOfSharedNoiseAndPublishedWithAllOfIt) {
   EXPECT_NEAR(published, 3.0 * alone, 1e-6 * alone);
 }
 
+TEST(Covariance, IsPublishedWithAllThatAHeldAxisIsOff) {
+  Random random(6);
+  const Patch patch = test::randomPatch(Kind::cylinder, 200, random);
+  const NoisyFit fit(patch, 0.001, NoiseDirection::any, random);
+  const SeenPoints points(fit.measured);
+  const Extent extent = measureExtent(*fit.shape, points);
+  const auto [judged, published] = measureUncertainty(*fit.shape, extent, points, fit.noise(), {}, {0.01, 0.02});
+  EXPECT_NEAR(judged.axis_stddev, 0.01, 1e-6);
+  EXPECT_NEAR(published.axis_stddev, 0.02, 1e-6);
+}
+
 /// Shift and turn that take the fit's pose to the truth's, of which directions that nobody can observe are left out.
 Gradient poseError(const Shape& fit, const Shape& truth, const Vec3& origin) {
   Gradient error = Gradient::Zero();

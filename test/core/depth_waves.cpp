@@ -203,6 +203,19 @@ Errors normalisedErrors(Kind kind) {
   return mean;
 }
 
+TEST(DepthWaves, HaveTheSameCovariancesOfManyDistancesAsOfEach) {
+  DepthWaves waves;
+  waves.variances = {2e-6, 0.0, 5e-6, 1e-6};
+  const std::vector<float> apart_sq = {0.0f, 1e-6f, 0.002f, 0.01f, 0.03f, 0.13f, 1.0f, 30.0f};
+  std::vector<float> alike(apart_sq.size() + 1, -1.0f);
+  waves.covariances(apart_sq.data(), apart_sq.size(), alike.data());
+  for (std::size_t k = 0; k < apart_sq.size(); ++k) {
+    const double one = waves.covariance(static_cast<double>(apart_sq[k]));
+    EXPECT_NEAR(static_cast<double>(alike[k]), one, 1e-6 * one) << apart_sq[k];
+  }
+  EXPECT_EQ(alike.back(), -1.0f);
+}
+
 TEST(DepthWaves, MakeTheCovarianceThatOfTheErrors) {
   for (const Kind kind : test::kKinds) {
     const Errors errors = normalisedErrors(kind);
