@@ -32,12 +32,11 @@ def drops(frames, discards):
             waiting.append(stamp)
             continue
         taken = answer[1] - answer[2]  # from then on others wait
-        if not answered_before:
-            pass
-        elif waiting and any(waiting[0] <= moment <= taken for moment in discards):
-            replaced += len(waiting)
-        else:
-            lost += len(waiting)
+        if waiting and answered_before:
+            if any(waiting[0] <= moment <= taken for moment in discards):
+                replaced += len(waiting)
+            else:
+                lost += len(waiting)
         waiting, answered_before = [], True
     return replaced, lost
 

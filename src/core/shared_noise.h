@@ -13,8 +13,7 @@ namespace primitect {
 /// points has to be multiplied.
 struct SharedNoise {
   double shown = 1.0;  ///< as cells of the surface show it: too few where they are hardly larger than what is shared
-  double all =
-      1.0;  ///< what that makes of it in large cells; no more than a cell holds, so still too few of large grains
+  double all = 1.0;    ///< what it would be in large cells; no more than a cell holds, still too few of larger grains
 };
 
 /// Of these points of a fitted shape: from the sums of residuals over some thirty cells of the surface, which grow like
