@@ -80,29 +80,24 @@ TEST(Covariance, GrowsWithTheNumberOfPointsThatShareTheirNoise) {
   EXPECT_LT((shared - 3.0 * alone).norm(), 1e-12 * shared.norm());
 }
 
-TEST(Covariance, IsJudgedByWhatIsShownOfSharedNoiseAndPublishedWithAllOfIt) {
-  Random random(5);
-  const Patch patch = test::randomPatch(Kind::sphere, 100, random);
+/// Of a fit to points whose noise is independent.
+Uncertainties uncertaintiesOf(Kind kind, const SharedErrors& shared, const HeldAxis& axis = {}) {
+  Random random(6);
+  const Patch patch = test::randomPatch(kind, 200, random);
   const NoisyFit fit(patch, 0.001, NoiseDirection::any, random);
   const SeenPoints points(fit.measured);
-  const Extent extent = measureExtent(*fit.shape, points);
-  const auto radius = [&](const SharedErrors& shared) {
-    const Uncertainties both = measureUncertainty(*fit.shape, extent, points, fit.noise(), shared);
-    return std::make_pair(both.by_noise.radius_stddev, both.by_all.radius_stddev);
-  };
-  const double alone = radius({}).second;
-  const auto [judged, published] = radius({{4.0, 9.0}, {}});
-  EXPECT_NEAR(judged, 2.0 * alone, 1e-6 * alone);
-  EXPECT_NEAR(published, 3.0 * alone, 1e-6 * alone);
+  return measureUncertainty(*fit.shape, measureExtent(*fit.shape, points), points, fit.noise(), shared, axis);
+}
+
+TEST(Covariance, IsJudgedByWhatIsShownOfSharedNoiseAndPublishedWithAllOfIt) {
+  const double alone = uncertaintiesOf(Kind::sphere, {}).by_all.radius_stddev;
+  const auto [judged, published] = uncertaintiesOf(Kind::sphere, {{4.0, 9.0}, {}});
+  EXPECT_NEAR(judged.radius_stddev, 2.0 * alone, 1e-6 * alone);
+  EXPECT_NEAR(published.radius_stddev, 3.0 * alone, 1e-6 * alone);
 }
 
 TEST(Covariance, IsPublishedWithAllThatAHeldAxisIsOff) {
-  Random random(6);
-  const Patch patch = test::randomPatch(Kind::cylinder, 200, random);
-  const NoisyFit fit(patch, 0.001, NoiseDirection::any, random);
-  const SeenPoints points(fit.measured);
-  const Extent extent = measureExtent(*fit.shape, points);
-  const auto [judged, published] = measureUncertainty(*fit.shape, extent, points, fit.noise(), {}, {0.01, 0.02});
+  const auto [judged, published] = uncertaintiesOf(Kind::cylinder, {}, {0.01, 0.02});
   EXPECT_NEAR(judged.axis_stddev, 0.01, 1e-6);
   EXPECT_NEAR(published.axis_stddev, 0.02, 1e-6);
 }
