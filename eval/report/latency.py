@@ -84,7 +84,8 @@ def scenario_table(scenarios):
             "another process, ms. Processing: what the detector itself says, median ms. CPU: of the process with the "
             "detector, percent of one core; a nodelet's manager has the camera in it, which repeats rendered clouds "
             "and costs next to nothing. Replaced: thrown away for a newer frame by the detector's queue of one, as "
-            "roscpp says; lost: without that.")
+            "roscpp says, once for all in a row: one that is lost among them counts as replaced; lost: without that. "
+            "Frames after the last answer, which were under way, are neither.")
     columns = ["camera Hz", "p50", "p95", "p99", "processing", "CPU %", "sent", "answered", "replaced", "lost"]
     return Table("latency", "Through a real master", note, [("", len(names))], columns, rows)
 

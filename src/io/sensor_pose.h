@@ -21,8 +21,8 @@ struct SensorPose {
   }
 };
 
-/// "X Y Z QX QY QZ QW", as tf_echo prints them, with or without commas and brackets; the quaternion is scaled to unit
-/// length. Throws std::invalid_argument naming value and range.
+/// "X Y Z QX QY QZ QW", as tf2_tools echo.py prints them, with or without commas and brackets; the quaternion is scaled
+/// to unit length. Throws std::invalid_argument naming value and range.
 SensorPose parseSensorPose(const std::string& text);
 
 /// What parseSensorPose() takes.

@@ -58,10 +58,11 @@ void addMainOptions(CLI::App& app, DetectOptions& options, RawOptions& raw) {
   app.add_option("--picture", options.picture, "write a picture with outlines and names as PNG")->type_name("FILE|DIR");
   app.add_option("--intrinsics", raw.intrinsics, "of depth images, in pixels")->type_name("fx,fy,cx,cy");
   app.add_option("--depth-scale", raw.depth_scale, "metres per unit of depth images (0.001)")->type_name("M");
-  app.add_option("--sensor", raw.sensor,
-                 "where the camera was, for points in another frame than its own (a robot's, a map): position (m) and "
-                 "orientation of its optical frame (z ahead, x right, y down) in the frame of the file, as tf_echo "
-                 "prints them; results are in the frame of the file")
+  app.add_option(
+         "--sensor", raw.sensor,
+         "where the camera was, for points in another frame than its own (a robot's, a map): position (m) and "
+         "orientation of its optical frame (z ahead, x right, y down) in the frame of the file, as tf2_tools echo.py "
+         "prints them; results are in the frame of the file")
       ->type_name("\"X Y Z QX QY QZ QW\"");
   app.add_flag(
       "--unlikely", options.unlikely,
