@@ -13,7 +13,7 @@ import xmlrpc.client
 # What roscpp says where a subscriber's queue was full: of several discarded in a row, once.
 DISCARD = re.compile(r"\[(\d+\.\d+)\] Incoming queue (?:was )?full for topic \"([^\"]+)\"")
 # It is said at a level that is not usual; not what is said of every message.
-LEVELS = ("log4j.logger.ros=INFO\nlog4j.logger.ros.roscpp=DEBUG\nlog4j.logger.ros.roscpp.superdebug=WARN\n")
+LEVELS = "log4j.logger.ros=INFO\nlog4j.logger.ros.roscpp=DEBUG\nlog4j.logger.ros.roscpp.superdebug=WARN\n"
 FORMAT = "[${severity}] [${time}] ${message}"
 PATIENCE = 60.0  # s; a busy machine is slow
 CALLER = "/eval"

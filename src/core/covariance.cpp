@@ -179,20 +179,10 @@ Hessian independentNoise(const Shape& shape, const SeenPoints& inliers, const Po
   return noise.allFinite() ? noise : unknown(parameters);
 }
 
-/// Covariance of points that share nothing, and of waves.
-class KeptCauses {
- public:
-  KeptCauses(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma, const DepthWaves& waves)
-      : alone_(independentNoise(shape, inliers, sigma)),
-        waves_(waves.any() ? covarianceOf(waves, shape, inliers, sigma) : Hessian(Hessian::Zero())) {}
-
-  /// Of points of which so many share one deviation.
-  Causes noise(double shared) const { return {capped(shared * alone_), Hessian::Zero()}; }
-  Causes all(double shared) const { return {capped(shared * alone_), waves_}; }
-
- private:
-  Hessian alone_, waves_;
-};
+/// Nothing without waves.
+Hessian ofWaves(const DepthWaves& waves, const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma) {
+  return waves.any() ? covarianceOf(waves, shape, inliers, sigma) : Hessian(Hessian::Zero());
+}
 
 /// Of a cylinder or a cone whose axis was held in the fit, and is off by this (rad) on its own account: all else goes
 /// with the axis as the points say, and is as uncertain as they leave it for a given axis.
@@ -313,20 +303,23 @@ Uncertainty uncertaintyOf(const Shape& shape, const Extent& extent, const Hessia
 
 Hessian measureCovariance(const Shape& shape, const SeenPoints& inliers, const PointNoise& sigma,
                           const SharedErrors& shared) {
-  const Causes causes = KeptCauses(shape, inliers, sigma, shared.waves).all(shared.noise.all);
-  return capped(causes.noise + causes.waves);
+  return capped(capped(shared.noise.all * independentNoise(shape, inliers, sigma)) +
+                ofWaves(shared.waves, shape, inliers, sigma));
 }
 
 Uncertainties measureUncertainty(const Shape& shape, const Extent& extent, const SeenPoints& inliers,
                                  const PointNoise& sigma, const SharedErrors& shared, const HeldAxis& axis) {
-  const KeptCauses causes(shape, inliers, sigma, shared.waves);
-  const auto from = [&](const Causes& some, double deviation) {
+  const Hessian alone = independentNoise(shape, inliers, sigma);
+  const auto from = [&](double points_alike, const Hessian& waves, double deviation) {
+    const Causes causes = {capped(points_alike * alone), waves};
     const bool held = std::isfinite(deviation);
-    return uncertaintyOf(shape, extent, held ? withHeldAxis(some, shape, deviation) : capped(some.noise + some.waves));
+    return uncertaintyOf(shape, extent,
+                         held ? withHeldAxis(causes, shape, deviation) : capped(causes.noise + causes.waves));
   };
-  const Uncertainty by_noise = from(causes.noise(shared.noise.shown), axis.by_noise);
+  const Uncertainty by_noise = from(shared.noise.shown, Hessian::Zero(), axis.by_noise);
   const bool is_all = !shared.waves.any() && shared.noise.all == shared.noise.shown && axis.by_all == axis.by_noise;
-  return {by_noise, is_all ? by_noise : from(causes.all(shared.noise.all), axis.by_all)};
+  if (is_all) return {by_noise, by_noise};
+  return {by_noise, from(shared.noise.all, ofWaves(shared.waves, shape, inliers, sigma), axis.by_all)};
 }
 
 }  // namespace primitect

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Recorded frames as other cameras would have seen them: mirrored, upside down, held on end, with half as many pixels.
-// What nobody looked at while developing is hard to come by; these are frames that nobody did.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "io/point_files.h"
 #include "primitect/detector.h"
+#include "primitect/transforms.h"
 
 namespace primitect::recorded_frames_test {
 namespace {
@@ -66,17 +65,6 @@ Cloud seen(const Cloud& image, const View& view, const DepthRange& range) {
   return result;
 }
 
-Shape turned(const Eigen::Matrix3d& turn, const Shape& shape) {
-  struct Turner {
-    const Eigen::Matrix3d& turn;
-    Shape operator()(const Plane& s) const { return Plane{turn * s.point, turn * s.normal}; }
-    Shape operator()(const Sphere& s) const { return Sphere{turn * s.center, s.radius}; }
-    Shape operator()(const Cylinder& s) const { return Cylinder{turn * s.point, turn * s.axis, s.radius}; }
-    Shape operator()(const Cone& s) const { return Cone{turn * s.apex, turn * s.axis, s.half_angle}; }
-  };
-  return std::visit(Turner{turn}, shape);
-}
-
 /// As far as the scorer of such frames would ask.
 struct Alike {
   static constexpr double kTurn = 0.15, kLength = 0.015, kShare = 0.15;  // rad, m, of a radius
@@ -86,6 +74,8 @@ struct Alike {
 
   const Vec3& where;  ///< on the first
 
+  bool isOnAxis(const Vec3& point, const Vec3& axis) const { return (where - point).cross(axis).norm() < kLength; }
+
   bool operator()(const Plane& a, const Plane& b) const {
     return along(a.normal, b.normal) && std::abs(distance(b, where)) < kLength;
   }
@@ -93,11 +83,10 @@ struct Alike {
     return (a.center - b.center).norm() < std::max(kLength, kShare * a.radius) && size(a.radius, b.radius);
   }
   bool operator()(const Cylinder& a, const Cylinder& b) const {
-    const Vec3 off = (where - b.point) - (where - b.point).dot(b.axis) * b.axis;
-    return along(a.axis, b.axis) && size(a.radius, b.radius) && off.norm() < kLength;
+    return along(a.axis, b.axis) && size(a.radius, b.radius) && isOnAxis(b.point, b.axis);
   }
   bool operator()(const Cone& a, const Cone& b) const {
-    return along(a.axis, b.axis) && std::abs(a.half_angle - b.half_angle) < kTurn;
+    return along(a.axis, b.axis) && std::abs(a.half_angle - b.half_angle) < kTurn && isOnAxis(b.apex, b.axis);
   }
   template <class A, class B>
   bool operator()(const A&, const B&) const {
@@ -114,7 +103,7 @@ void count(const Detections& first, const Eigen::Matrix3d& turn, const Detection
   constexpr float kSure = 0.95f;
   for (const Detection& one : first.items) {
     if (one.confidence < kSure) continue;
-    const Shape shape = turned(turn, one.shape);
+    const Shape shape = transformed(Eigen::Isometry3d(turn), one.shape);
     const Vec3 where = turn * one.extent.origin;
     ++counts.sure;
     counts.found += std::any_of(second.items.begin(), second.items.end(),
