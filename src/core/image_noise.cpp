@@ -9,6 +9,7 @@
 
 #include "core/frame_memory.h"
 #include "core/lower_quartile.h"
+#include "core/noise.h"
 #include "core/ramp.h"
 #include "core/window_normal.h"
 
@@ -74,6 +75,17 @@ double grainOf(const ImageNoise& noise) {
 double usualGrainOf(const ImageNoise& noise) {
   constexpr double kUsual = 2.5, kNotAlike = 0.15, kAlike = 0.3;
   return 1.0 + (kUsual - 1.0) * ramp(kNotAlike, kAlike, noise.likeness);
+}
+
+double steadyingOf(const ImageNoise& noise) { return 1.0 - kNoisy / std::max(noise.scale, kNoisy); }
+
+double steadied(const ImageNoise& noise, double steadying) {
+  // Correlation of pixels two apart: of those that share it all, as a stereo camera's, and of those that share none,
+  // 25 of which have a twenty-fifth of the squared noise in the mean.
+  constexpr double kAllShared = 0.64, kNoneShared = 0.04 * kAllShared;
+  const double shared = std::clamp(noise.likeness, kNoneShared, kAllShared) / kAllShared;
+  const double own = (1.0 - steadying) * (1.0 - steadying);
+  return noise.scale * std::sqrt(own + (1.0 - own) * shared);
 }
 
 double growthOf(const ImageNoise& noise) {

@@ -41,7 +41,8 @@ struct NoiseModel {
 /// tables (seed 2300) with 2, 3, 4 times the noise: of what is seen 93, 86, 75 % are found instead of 90, 48, 38; with
 /// tolerances that grow like the noise 86, 72, 57. Surfaces lie better, by a sixth, when they are fitted to their
 /// points with all of the noise, and their covariances are right.
-inline double toleratedScale(double image_noise) { return std::max(1.0, 0.7 * image_noise); }
+constexpr double kTolerated = 0.7, kNoisy = 1.0 / kTolerated;
+inline double toleratedScale(double image_noise) { return std::max(1.0, kTolerated * image_noise); }
 inline double fullScale(double image_noise) { return std::max(1.0, image_noise); }
 
 struct Samples;

@@ -26,6 +26,12 @@ void store(const Vec3& normal, std::size_t i, Samples& samples) {
   samples.nz[i] = static_cast<float>(normal.z());
 }
 
+void placePoint(const Vec3& point, std::size_t i, Samples& samples) {
+  samples.x[i] = static_cast<float>(point.x());
+  samples.y[i] = static_cast<float>(point.y());
+  samples.z[i] = static_cast<float>(point.z());
+}
+
 void placeNormal(const Vec3& place, std::size_t i, Samples& samples) {
   samples.px[i] = static_cast<float>(place.x());
   samples.py[i] = static_cast<float>(place.y());
@@ -107,9 +113,11 @@ void fitWindows(const Cloud& image, const Params& params, NormalSource& source, 
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::uint32_t pixel = samples.index[i];
     const Vec3 point = samples.point(i);
-    const auto normal = windowNormal(image, pixel, point, sizes.at(point.z()), pitch, source.noise_scale);
+    const auto normal =
+        windowNormal(image, pixel, point, sizes.at(point.z()), pitch, source.noise_scale, source.steadying);
     if (!normal || (find_flying && fliesBetween(camera, pixel, point, normal->direction))) continue;
     store(normal->direction, i, samples);
+    placePoint(normal->point, i, samples);
     placeNormal(normal->place, i, samples);
     const double usual = 1.0 + (source.usual_grain - 1.0) * ramp(kGood, kPoor, normal->sigma);
     samples.normal_sigma[i] = static_cast<float>(std::max(grain, usual) * normal->sigma);

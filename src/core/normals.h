@@ -24,6 +24,7 @@ struct NormalSource {
   double noise_scale = 1.0;         ///< of the image, times axialNoise()
   double grain = 1.0;               ///< grainOf() the image
   double usual_grain = 1.0;         ///< usualGrainOf() it
+  double steadying = 0.0;           ///< steadyingOf() it
   int neighbor_count =
       0;  ///< above 0: measured anew from so many neighbours, instead of the cloud's own or normal_neighbors
 

@@ -16,7 +16,7 @@ namespace {
 NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
   constexpr double kLargestNoise = 0.005;  // of d_s: with more of it nothing can be told any more
   NoiseModel noise = {kLargestNoise * scale.scene_diameter, 0.0, params.inlier_angle_deg * M_PI / 180.0,
-                      toleratedScale(scale.image_noise)};
+                      toleratedScale(scale.sample_noise)};
   noise.growth = scale.image_growth;
   if (scale.depth_camera) noise.depth_share = params.inlier_depth_share / kInlierDeviations;
   return noise;
@@ -26,7 +26,7 @@ NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
 
 void Verification::begin(const FrameScale& scale) {
   scale_ = scale;
-  noise_ = largestNoise(scale, params_);
+  know(largestNoise(scale, params_));
   noise_measured_ = false;
   weight_ = 1.0;
   samples_.clear();
@@ -40,6 +40,11 @@ void Verification::begin(const FrameScale& scale) {
 std::size_t Verification::inliersOfFirstDraw(const Segment& segment) const {
   const auto end = std::lower_bound(segment.inliers.begin(), segment.inliers.end(), samples_.first_draw);
   return static_cast<std::size_t>(end - segment.inliers.begin());
+}
+
+void Verification::know(const NoiseModel& of_samples) {
+  noise_ = point_noise_ = of_samples;
+  point_noise_.scale = toleratedScale(scale_.image_noise);
 }
 
 NoiseModel Verification::fullNoise() const {
@@ -83,12 +88,12 @@ void Verification::addSamples(Samples samples) {
 
 void Verification::measureNoise(Samples samples, const List<Candidate>& candidates) {
   noise_measured_ = false;
-  noise_ = largestNoise(scale_, params_);
+  know(largestNoise(scale_, params_));
   applyNoise(noise_, samples);
   if (!params_.does(Step::noise)) return;
   const std::optional<NoiseModel> measured = primitect::measureNoise(samples, candidates, rules());
   noise_measured_ = measured.has_value();
-  if (measured) noise_ = *measured;
+  if (measured) know(*measured);
 }
 
 /// What is selected is fitted again, to all its samples. Measured on 60 tables and 8 clouds of the paper: with 256

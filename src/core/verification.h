@@ -24,6 +24,7 @@ struct FrameScale {
   double scene_diameter = 1.0;  ///< d_s, m
   bool depth_camera = false;    ///< depth along z: its noise grows with it
   double image_noise = 0.0;     ///< see Detections
+  double sample_noise = 0.0;    ///< of its samples, steadied()
   double image_growth = 1.0;    ///< growthOf() the image
   double radius_stretch = 1.0;  ///< bins of radii are so many times as wide as params.radius_bin says
   double view_radius = 0.0;     ///< m; radii may be as large as this, even where the bins end before
@@ -73,8 +74,8 @@ class Verification {
   /// (uneven_planes.h).
   void conclude(const IsSeen& is_seen = nullptr);
 
-  /// What samples may stray.
-  const NoiseModel& noise() const { return noise_; }
+  /// What points may stray; samples, which are steadied, less.
+  const NoiseModel& noise() const { return point_noise_; }
 
   /// Of the points that shapes are fitted to in the end.
   NoiseModel fullNoise() const;
@@ -115,6 +116,7 @@ class Verification {
   /// Inliers are in rising order, and those of the first draw before others.
   std::size_t inliersOfFirstDraw(const Segment& segment) const;
   bool isUnlikely(const Segment& segment) const { return segment.confidence < params_.min_confidence; }
+  void know(const NoiseModel& of_samples);
   Limits sampleLimits() const;
   ProposalRules rules() const;
   ProposalRules quickRules() const;
@@ -152,7 +154,8 @@ class Verification {
 
   Params params_;
   FrameScale scale_;
-  NoiseModel noise_;
+  NoiseModel noise_;        ///< of samples
+  NoiseModel point_noise_;  ///< see noise()
   bool noise_measured_ = false;
   double weight_ = 1.0;  ///< of a sample of later draws
   Samples samples_;

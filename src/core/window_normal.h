@@ -14,7 +14,8 @@ namespace primitect {
 
 struct WindowNormal {
   Vec3 direction;
-  Vec3 place;    ///< (m) amid the pixels, in the plane through the point: where a curved surface has this normal
+  Vec3 point;    ///< (m) steadied: on the pixel's ray, nearer to where the pixels around it see the surface
+  Vec3 place;    ///< (m) amid the pixels, in the plane through that point: where a curved surface has this normal
   double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
 };
 
@@ -25,9 +26,11 @@ struct WindowNormal {
 std::optional<WindowNormal> windowNormal(const Cloud& cloud, std::uint32_t pixel, int half_width,
                                          const PixelPitch& pitch = {}, double noise_scale = 1.0);
 
-/// The same at a point that falls into this pixel, whichever point the image holds there.
+/// The same at a point that falls into this pixel, whichever point the image holds there. steadying: how far the point
+/// goes to where the pixels around it see the surface, from 0 (nowhere) to 1.
 std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel, const Vec3& center, int half_width,
-                                         const PixelPitch& pitch = {}, double noise_scale = 1.0);
+                                         const PixelPitch& pitch = {}, double noise_scale = 1.0,
+                                         double steadying = 0.0);
 
 /// How depths stray from a smooth surface.
 struct WindowNoise {

@@ -150,12 +150,12 @@ void Detector::Workspace::measureScale() {
   const bool all_sides = brings_normals && !result.seen_from_origin;
   const double most = depth_camera ? kOfView : all_sides ? 0.0 : kOfList;
   const double view_radius = told ? 0.0 : most * view.diagonal;
-  verification.begin({result.scene_diameter, depth_camera, result.image_noise, image_growth, stretch, view_radius,
-                      !brings_normals, normal_source.from_origin});
+  verification.begin({result.scene_diameter, depth_camera, result.image_noise, sample_noise, image_growth, stretch,
+                      view_radius, !brings_normals, normal_source.from_origin});
 }
 
 void Detector::Workspace::measureImageNoise(const Cloud& image) {
-  image_growth = 1.0;
+  image_growth = 1.0, sample_noise = 0.0;
   if (!depth_camera || !isDepthImage(image) || !params.does(Step::image_noise)) return;
   const ImageNoise noise = primitect::measureImageNoise(image, normal_source, samples);
   result.image_noise = noise.scale;
@@ -163,6 +163,8 @@ void Detector::Workspace::measureImageNoise(const Cloud& image) {
   normal_source.grain = grainOf(noise);
   normal_source.usual_grain = usualGrainOf(noise);
   image_growth = growthOf(noise);
+  normal_source.steadying = params.does(Step::steady_points) ? steadyingOf(noise) : 0.0;
+  sample_noise = steadied(noise, normal_source.steadying);
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {

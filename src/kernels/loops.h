@@ -204,6 +204,10 @@ struct Loops {
   /// Robust least squares over the pixels of a window that lie on one surface with its centre.
   WindowPlane (*fitWindow)(const PointImage& image, const WindowTask& task);
 
+  /// Of a window of another size around the same centre: mean of d - a u - b v over its pixels on the plane, by the
+  /// tolerance of the fit; c where none is.
+  double (*offsetInWindow)(const PointImage& image, const WindowTask& task, const WindowPlane& plane);
+
   /// Neighbours of a leaf's `count` points among the leaves [begin, end), multiples of kLanes; `keys` holds those known
   /// already, else kNoNeighbor.
   void (*nearest)(const LeafTree& tree, std::size_t leaf, std::size_t count, std::size_t begin, std::size_t end,

@@ -125,6 +125,25 @@ TEST(ImageNoise, HasTheUsualGrainOfCamerasWherePixelsErrAlikeAtAll) {
   }
 }
 
+TEST(ImageNoise, IsSteadiedDownToTheUsual) {
+  const auto of = [](double scale) { return steadyingOf({scale, 1.0, 0.0}); };
+  EXPECT_EQ(of(0.0), 0.0) << "not measured";
+  EXPECT_EQ(of(1.0), 0.0);
+  EXPECT_EQ(of(kNoisy), 0.0);
+  EXPECT_NEAR(of(2.0 * kNoisy), 0.5, 1e-9);
+  EXPECT_NEAR(of(4.0 * kNoisy), 0.75, 1e-9);
+}
+
+TEST(ImageNoise, OfSteadiedSamplesIsTheirOwnAndWhatPixelsShare) {
+  const auto of = [](double likeness, double steadying) { return steadied({3.0, 1.0, likeness}, steadying); };
+  EXPECT_DOUBLE_EQ(of(0.0, 0.0), 3.0);
+  EXPECT_DOUBLE_EQ(of(0.5, 0.0), 3.0);
+  EXPECT_NEAR(of(-0.05, 1.0), 0.6, 1e-9) << "each for itself: the mean of 25";
+  EXPECT_NEAR(of(0.16, 1.0), 1.5, 1e-9) << "a quarter of the squares is shared";
+  EXPECT_NEAR(of(0.16, 0.5), 3.0 * std::sqrt(0.25 + 0.75 * 0.25), 1e-9);
+  EXPECT_NEAR(of(0.8, 0.5), 3.0, 1e-9) << "a block matcher's share it all";
+}
+
 /// A wall, 1.8 m away: how far its normals are off about each axis, and what is said of that (rad).
 std::pair<double, double> spreadAndSigma(const Cloud& wall, const NormalSource& with) {
   Samples samples;

@@ -168,7 +168,7 @@ TEST(WindowNormals, BesideALimbAreThoseOfTheMiddleOfTheirPixels) {
     const std::optional<WindowNormal> found = windowNormal(cloud, pixel, 5);
     if (!found) continue;
     const Vec3 point = cloud.point(pixel);
-    EXPECT_NEAR(found->direction.dot(found->place - point), 0.0, 1e-6);
+    EXPECT_NEAR(found->direction.dot(found->place - found->point), 0.0, 1e-6);
     EXPECT_LT(off(*found, found->place), 6.0) << column;
     beside += off(*found, point) > 9.0 ? 1 : 0;
   }
@@ -382,6 +382,92 @@ TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
   NormalSource source;
   estimateNormals(cloud, Params(), source, samples);
   for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_NEAR(samples.nz[i], -1.0f, 1e-4f);
+}
+
+/// Points along the same rays, with noise of so much of the depth.
+void addNoise(double share, std::uint64_t seed, Cloud& cloud) {
+  Random random(seed);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float factor = 1.0f + static_cast<float>(share * random.gaussian());
+    for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
+  }
+}
+
+/// Of a pixel's window of 11 x 11 pixels, steadied so far.
+std::optional<WindowNormal> steadied(const Cloud& cloud, std::uint32_t pixel, double steadying) {
+  return windowNormal(cloud, pixel, cloud.point(pixel), 5, {}, 1.0, steadying);
+}
+
+TEST(SteadyPoints, HaveUpToAThirdOfThePixelsNoise) {
+  // The point goes to the mean of 3 x 3 pixels, of which it is one.
+  const Vec3 normal = Vec3(0.4, -0.2, 1.0).normalized();
+  Cloud cloud = cameraCloud(normal, 1.0);
+  addNoise(0.0005, 41, cloud);
+  for (const double steadying : {0.0, 0.5, 1.0}) {
+    double own = 0.0, steady = 0.0;
+    int count = 0;
+    for (std::uint32_t pixel = 0; pixel < cloud.size(); pixel += 61) {
+      const auto found = steadied(cloud, pixel, steadying);
+      if (!found) continue;
+      ++count;
+      EXPECT_LT(found->point.cross(cloud.point(pixel)).norm(), 1e-6) << "on the pixel's ray";
+      const auto square = [&normal](const Vec3& point) { return std::pow(normal.dot(point) - 1.0, 2); };
+      own += square(cloud.point(pixel)), steady += square(found->point);
+    }
+    EXPECT_GT(count, 300);
+    const double left = 1.0 - steadying;
+    EXPECT_NEAR(std::sqrt(steady / own), std::sqrt(left * left + (1.0 - left * left) / 9.0), 0.05) << steadying;
+  }
+}
+
+TEST(SteadyPoints, StayOnATubeAndOnTheirSideOfAStep) {
+  const Cylinder tube = {Vec3(0, 0, 1.0), Vec3::UnitY(), 0.06};
+  const Cloud round = cloudOfTube(tube);
+  // Two walls that face the camera, with more between them than is tolerated.
+  Cloud step = cameraCloud(Vec3::UnitZ(), 1.0);
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const float factor = i % 160 < 80 ? 1.0f : 1.012f;
+    for (std::vector<float>* values : {&step.x, &step.y, &step.z}) (*values)[i] *= factor;
+  }
+  int on_tube = 0;
+  for (std::uint32_t column = 40; column < 120; ++column) {
+    const std::uint32_t pixel = 60 * 160 + column;
+    if (const auto found = steadied(round, pixel, 1.0)) {
+      ++on_tube;
+      EXPECT_NEAR(distance(Shape(tube), found->point), 0.0, 0.001) << column << ": of 7 mm a pixel";
+    }
+    const bool at_the_step = column >= 78 && column < 82;  // there the window's plane leads over it
+    if (const auto found = steadied(step, pixel, 1.0); found && !at_the_step) {
+      EXPECT_NEAR(found->point.z(), step.z[pixel], 1e-4) << column;
+    }
+  }
+  EXPECT_GT(on_tube, 12);
+}
+
+TEST(SteadyPoints, AreThoseOfTheSamples) {
+  Cloud cloud = cameraCloud(Vec3(0.3, 0, 1).normalized(), 1.0);
+  addNoise(0.0005, 42, cloud);
+  Samples drawn;
+  drawSamples(cloud, 300, 1, drawn);
+  for (const double steadying : {0.0, 0.6}) {
+    Samples samples = drawn;
+    NormalSource source;
+    source.steadying = steadying;
+    estimateNormals(cloud, Params(), source, samples);
+    int moved = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::uint32_t pixel = samples.index[i];
+      const Vec3 own = cloud.point(pixel);
+      const auto expected = windowNormal(cloud, pixel, own, 2, *source.pitch, 1.0, steadying);
+      EXPECT_LT((samples.point(i) - (expected ? expected->point : own)).norm(), 1e-6);
+      moved += (samples.point(i) - own).norm() > 1e-5 ? 1 : 0;
+    }
+    if (steadying == 0.0) {
+      EXPECT_EQ(moved, 0);
+    } else {
+      EXPECT_GT(moved, 250);
+    }
+  }
 }
 
 }  // namespace

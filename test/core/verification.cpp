@@ -173,6 +173,19 @@ TEST(Verification, MeasuresTheNoiseOfAThinTubeThatItDoesNotTakeForAnEdgeBeforeIt
   }
 }
 
+TEST(Verification, ToleratesLessOfSamplesThanOfPoints) {
+  Random random(90);
+  FrameScale scale;
+  scale.depth_camera = true;
+  scale.image_noise = 4.0, scale.sample_noise = 2.0;
+  Verification verification{Params()};
+  verification.begin(scale);
+  verification.addSamples(test::samplesOf(plate(Vec3(0, 0, 1.0), 0.1, 0.1, 50, random)));
+  EXPECT_DOUBLE_EQ(verification.noise().scale, toleratedScale(4.0));
+  EXPECT_DOUBLE_EQ(verification.fullNoise().scale, fullScale(4.0));
+  EXPECT_NEAR(verification.samples().sigma.front(), toleratedScale(2.0) * axialNoise(1.0), 1e-5);
+}
+
 TEST(Verification, SplitsPartsThatLieInNearlyTheSamePlane) {
   // 8 mm between them, 40 cm apart: at the noise that is expected before it is measured, 5 mm, they are one.
   Random random(94);

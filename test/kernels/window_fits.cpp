@@ -3,6 +3,7 @@
 // Fits to image windows, of every instruction set, against the definition in double.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -152,6 +153,54 @@ TEST(WindowFits, TakeAllPixelsOfAPinholeImageOnlyWhereTheyAreOneSurface) {
   EXPECT_EQ(used(pixel), 15 * 15 - 2) << "one is missing: what is beyond the tolerance is not taken";
 }
 
+/// A smaller window around the same centre.
+WindowTask nearest(WindowTask task) {
+  task.half_width = (task.half_width + 2) / 4;
+  return task;
+}
+
+double plainOffset(const Cloud& cloud, const WindowTask& task, const WindowPlane& plane) {
+  double count = 0.0, sum = 0.0;
+  test::plainPass(imageOf(cloud), task, static_cast<int>(task.half_width), [&](double u, double v, double d) {
+    const double off = d - plane.a * u - plane.b * v;
+    if (std::abs(off - plane.c) < test::plainTolerance(task, plane)) count += 1.0, sum += off;
+    return false;
+  });
+  return count > 0.0 ? sum / count : plane.c;
+}
+
+TEST(WindowOffsets, AgreeWithTheDefinitionInDouble) {
+  // A pixel on the threshold, which falls to either side of it, would move the mean by a ninth of the tolerance.
+  int compared = 0, near = 0;
+  for (const Cloud& cloud : {roughCloud(61), cleanCloud(61), steepCloud(61)}) {
+    for (std::size_t pixel = 0; pixel < cloud.size(); pixel += 97) {
+      if (!cloud.valid(pixel)) continue;
+      const WindowTask task = onGrid(taskAt(cloud, pixel, 3 + pixel % 17), cloud);
+      const WindowPlane plane = test::plainWindowFit(imageOf(cloud), task);
+      if (plane.used == 0) continue;
+      const double plain = plainOffset(cloud, nearest(task), plane);
+      for (const Loops* loops : allLoops()) {
+        ++compared;
+        near += std::abs(loops->offsetInWindow(imageOf(cloud), nearest(task), plane) - plain) < 1e-6 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GE(near, compared - 3);
+}
+
+TEST(WindowOffsets, AreThePlanesOwnWhereNoPixelLiesOnIt) {
+  Cloud cloud = cleanCloud(62);
+  const std::size_t pixel = 60 * 160 + 50;
+  const WindowTask task = taskAt(cloud, pixel, 1);
+  WindowPlane plane;
+  plane.c = 0.25;
+  for (const Loops* loops : allLoops()) EXPECT_EQ(loops->offsetInWindow(imageOf(cloud), task, plane), 0.25);
+  for (float& z : cloud.z) z = std::numeric_limits<float>::quiet_NaN();
+  plane.c = 0.0;
+  for (const Loops* loops : allLoops()) EXPECT_EQ(loops->offsetInWindow(imageOf(cloud), task, plane), 0.0);
+}
+
 void expectSameBits(const Cloud& cloud) {
   for (std::size_t pixel = 0; pixel < cloud.size(); pixel += 31) {
     if (!cloud.valid(pixel)) continue;
@@ -165,6 +214,8 @@ void expectSameBits(const Cloud& cloud) {
       EXPECT_EQ(found.b, first.b);
       EXPECT_EQ(found.c, first.c);
       EXPECT_EQ(found.variance, first.variance);
+      const auto offset = [&](const Loops& of) { return of.offsetInWindow(imageOf(cloud), nearest(task), first); };
+      EXPECT_EQ(offset(*loops), offset(**allLoops().begin())) << loops->name << " at " << pixel;
     }
   }
 }
