@@ -77,13 +77,17 @@ double usualGrainOf(const ImageNoise& noise) {
   return 1.0 + (kUsual - 1.0) * ramp(kNotAlike, kAlike, noise.likeness);
 }
 
-double steadyingOf(const ImageNoise& noise) { return 1.0 - kNoisy / std::max(noise.scale, kNoisy); }
+double steadyingOf(const ImageNoise& noise) {
+  const bool known = noise.likeness != 0.0;
+  // Of pixels that share more of it than is usual the mean has hardly less.
+  if (!known || grainOf(noise) > 1.0) return 0.0;
+  return 1.0 - kNoisy / std::max(noise.scale, kNoisy);
+}
 
-double steadied(const ImageNoise& noise, double steadying) {
-  // Correlation of pixels two apart: of those that share it all, as a stereo camera's, and of those that share none,
-  // 25 of which have a twenty-fifth of the squared noise in the mean.
-  constexpr double kAllShared = 0.64, kNoneShared = 0.04 * kAllShared;
-  const double shared = std::clamp(noise.likeness, kNoneShared, kAllShared) / kAllShared;
+double noiseOfSteadied(const ImageNoise& noise, double steadying) {
+  // Correlation of pixels two apart that share all of it, as a stereo camera's. The smallest means are of 9 pixels.
+  constexpr double kAllShared = 0.64, kLeast = 1.0 / 9.0;
+  const double shared = std::clamp(noise.likeness / kAllShared, kLeast, 1.0);
   const double own = (1.0 - steadying) * (1.0 - steadying);
   return noise.scale * std::sqrt(own + (1.0 - own) * shared);
 }

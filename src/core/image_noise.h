@@ -33,11 +33,12 @@ double grainOf(const ImageNoise& noise);
 double usualGrainOf(const ImageNoise& noise);
 
 /// How far samples go from their pixel to the mean of those around it (WindowNormal::point), from 0 to 1: until they
-/// have the noise that is tolerated as usual (kNoisy), where pixels err each for itself.
+/// have no more noise than tolerances take as it is (kNoisy), if pixels err each for itself. 0 where they share more of
+/// it than those of usual cameras, or where that is not known.
 double steadyingOf(const ImageNoise& noise);
 
-/// The noise of samples that went so far, in the unit of ImageNoise::scale: what pixels share is left of the mean's.
-double steadied(const ImageNoise& noise, double steadying);
+/// The noise of samples that went so far, in the unit of ImageNoise::scale: what pixels share stays in the mean.
+double noiseOfSteadied(const ImageNoise& noise, double steadying);
 
 /// How many times faster than that of structured light the noise of a stereo camera grows, for tolerances: up to 1.8
 /// where pixels share their noise, which hides some of it, and the farther half of the image is the noisier one.

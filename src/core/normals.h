@@ -49,7 +49,7 @@ int neighborsFor(const Cloud& cloud, const Samples& samples, double sigma, doubl
 /// else from the nearest neighbours. Measured normals point towards the sensor; with source.neighbor_count to the side
 /// of those that the cloud brings, where these are not to be turned. Where none can be had, or only one
 /// perpendicular to the ray of a sensor at the origin (source.from_origin), it stays missing, and that sample does not
-/// vote.
+/// vote. Samples with a window of a noisy image move (source.steadying): once a draw.
 void estimateNormals(const Cloud& cloud, const Params& params, NormalSource& source, Samples& samples);
 
 /// Three quarters of the normals or more: of whole objects, seen through, little more than half do.

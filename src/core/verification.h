@@ -24,7 +24,7 @@ struct FrameScale {
   double scene_diameter = 1.0;  ///< d_s, m
   bool depth_camera = false;    ///< depth along z: its noise grows with it
   double image_noise = 0.0;     ///< see Detections
-  double sample_noise = 0.0;    ///< of its samples, steadied()
+  double sample_noise = 0.0;    ///< of its samples, noiseOfSteadied()
   double image_growth = 1.0;    ///< growthOf() the image
   double radius_stretch = 1.0;  ///< bins of radii are so many times as wide as params.radius_bin says
   double view_radius = 0.0;     ///< m; radii may be as large as this, even where the bins end before

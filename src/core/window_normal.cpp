@@ -53,11 +53,10 @@ bool usable(const kernels::WindowPlane& plane, const kernels::WindowTask& task) 
   return plane.used >= needed && std::abs(plane.c) < static_cast<double>(toleranceOf(task, plane));
 }
 
-/// The centre so far on its way to the mean depth of the pixels around it that lie on the plane, each seen along the
-/// plane. A quarter of the window holds 25 pixels of usual images a metre away, of which a can of 30 mm radius rises
-/// .2 mm above the mean.
-Vec3 steadied(double steadying, const kernels::PointImage& image, kernels::WindowTask task,
-              const kernels::WindowPlane& plane, const Vec3& center) {
+/// The centre, moved this share of the way to the mean depth of the pixels around it that lie on the plane, each seen
+/// along the plane: a quarter of the window, 25 pixels of usual images a metre away, 9 farther away.
+Vec3 towardsMean(double steadying, const kernels::PointImage& image, kernels::WindowTask task,
+                 const kernels::WindowPlane& plane, const Vec3& center) {
   constexpr std::size_t kShare = 4;
   if (steadying == 0.0) return center;
   task.half_width = std::max<std::size_t>((task.half_width + kShare / 2) / kShare, 1);
@@ -165,7 +164,7 @@ std::optional<WindowNormal> windowNormal(const Cloud& image, std::uint32_t pixel
   // a and b turn the plane; c is known much better.
   const double noise = noise_scale * axialNoise(center.z()) / center.z() * std::sqrt(plane.variance) / normal.norm();
   const Vec3 direction = -normal.normalized();
-  const Vec3 point = steadied(steadying, points, task, plane, center);
+  const Vec3 point = towardsMean(steadying, points, task, plane, center);
   return WindowNormal{direction, point, placeOf(plane, task, point, direction), noise};
 }
 

@@ -14,7 +14,7 @@ namespace primitect {
 
 struct WindowNormal {
   Vec3 direction;
-  Vec3 point;    ///< (m) steadied: on the pixel's ray, nearer to where the pixels around it see the surface
+  Vec3 point;    ///< (m) steadied: on its ray, nearer to where the pixels around it see the surface
   Vec3 place;    ///< (m) amid the pixels, in the plane through that point: where a curved surface has this normal
   double sigma;  ///< rad, about each axis: what the depth noise of the model and the used pixels make of it
 };

@@ -163,8 +163,10 @@ void Detector::Workspace::measureImageNoise(const Cloud& image) {
   normal_source.grain = grainOf(noise);
   normal_source.usual_grain = usualGrainOf(noise);
   image_growth = growthOf(noise);
-  normal_source.steadying = params.does(Step::steady_points) ? steadyingOf(noise) : 0.0;
-  sample_noise = steadied(noise, normal_source.steadying);
+  // What brings normals has no windows that would move its samples.
+  const bool steadies = params.does(Step::steady_points) && !brings_normals;
+  normal_source.steadying = steadies ? steadyingOf(noise) : 0.0;
+  sample_noise = noiseOfSteadied(noise, normal_source.steadying);
 }
 
 bool Detector::Workspace::prepareRound(const Cloud& cloud, int round) {

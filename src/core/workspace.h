@@ -164,7 +164,7 @@ struct Detector::Workspace {
   bool brings_normals = false;     ///< the cloud of this frame, ones that are wanted
   bool depth_camera = false;       ///< took this frame, and shapes are verified with its noise, which is known
   double image_growth = 1.0;       ///< growthOf() the image
-  double sample_noise = 0.0;       ///< of the image, steadied()
+  double sample_noise = 0.0;       ///< of the image, noiseOfSteadied()
   ThinnedImage thinned_image;
   double each_pixel = 1.0;  ///< of this frame's thinned image: points of the cloud that it stands for
   Arrangement arrangement;

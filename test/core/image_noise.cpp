@@ -126,8 +126,11 @@ TEST(ImageNoise, HasTheUsualGrainOfCamerasWherePixelsErrAlikeAtAll) {
 }
 
 TEST(ImageNoise, IsSteadiedDownToTheUsual) {
-  const auto of = [](double scale) { return steadyingOf({scale, 1.0, 0.0}); };
+  const auto of = [](double scale, double likeness = 0.01) { return steadyingOf({scale, 1.0, likeness}); };
   EXPECT_EQ(of(0.0), 0.0) << "not measured";
+  EXPECT_EQ(of(3.0, 0.0), 0.0) << "nobody knows what pixels share";
+  EXPECT_GT(of(3.0, 0.4), 0.5) << "as usual";
+  EXPECT_EQ(of(3.0, 0.5), 0.0) << "pixels share more than usual";
   EXPECT_EQ(of(1.0), 0.0);
   EXPECT_EQ(of(kNoisy), 0.0);
   EXPECT_NEAR(of(2.0 * kNoisy), 0.5, 1e-9);
@@ -135,13 +138,46 @@ TEST(ImageNoise, IsSteadiedDownToTheUsual) {
 }
 
 TEST(ImageNoise, OfSteadiedSamplesIsTheirOwnAndWhatPixelsShare) {
-  const auto of = [](double likeness, double steadying) { return steadied({3.0, 1.0, likeness}, steadying); };
+  const auto of = [](double likeness, double steadying) { return noiseOfSteadied({3.0, 1.0, likeness}, steadying); };
   EXPECT_DOUBLE_EQ(of(0.0, 0.0), 3.0);
   EXPECT_DOUBLE_EQ(of(0.5, 0.0), 3.0);
-  EXPECT_NEAR(of(-0.05, 1.0), 0.6, 1e-9) << "each for itself: the mean of 25";
+  EXPECT_NEAR(of(-0.05, 1.0), 1.0, 1e-9) << "each for itself: a mean of 9";
   EXPECT_NEAR(of(0.16, 1.0), 1.5, 1e-9) << "a quarter of the squares is shared";
   EXPECT_NEAR(of(0.16, 0.5), 3.0 * std::sqrt(0.25 + 0.75 * 0.25), 1e-9);
   EXPECT_NEAR(of(0.8, 0.5), 3.0, 1e-9) << "a block matcher's share it all";
+}
+
+/// Whether steady points change where the shapes of a table are.
+bool areSteadied(const Cloud& cloud) {
+  Params without;
+  without.left_out.add(Step::steady_points);
+  const auto places = [&cloud](const Params& params) {
+    Detector detector{params};
+    std::vector<double> result;
+    for (const Detection& found : detector.detect(cloud).items) {
+      result.insert(result.end(), found.extent.origin.data(), found.extent.origin.data() + 3);
+    }
+    return result;
+  };
+  const std::vector<double> with_them = places(Params());
+  EXPECT_FALSE(with_them.empty());
+  return with_them != places(without);
+}
+
+TEST(SteadyPoints, AreThoseOfNoisyImagesWithoutNormals) {
+  EXPECT_FALSE(areSteadied(tableCloud(1.0, 5))) << "as noisy as usual";
+  Cloud cloud = tableCloud(3.0, 5);
+  EXPECT_TRUE(areSteadied(cloud));
+  EXPECT_FALSE(areSteadied(tableCloud(3.0, 5, 7))) << "pixels share too much";
+  // Their samples are not moved, so that these have all of the noise.
+  cloud.nx.assign(cloud.size(), 0.0f), cloud.ny = cloud.nx, cloud.nz = cloud.nx;
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    const auto normal = cloud.valid(i) ? windowNormal(cloud, i, 7, {}, 2.0) : std::nullopt;
+    const Vec3 direction = normal ? normal->direction : Vec3(Vec3::Constant(std::nan("")));
+    cloud.setNormal(i, static_cast<float>(direction.x()), static_cast<float>(direction.y()),
+                    static_cast<float>(direction.z()));
+  }
+  EXPECT_FALSE(areSteadied(cloud)) << "brings normals";
 }
 
 /// A wall, 1.8 m away: how far its normals are off about each axis, and what is said of that (rad).
