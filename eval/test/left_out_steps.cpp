@@ -59,6 +59,7 @@ std::vector<Recipe> variedClouds() {
           recipeOf("household", 304),
           recipeOf("household", 337),
           recipeOf("objects", 315),
+          recipeOf("clutter", 303),
           recipeOf("clutter", 306),
           recipeOf("paper-mixed", 300)};
 }
