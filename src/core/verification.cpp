@@ -26,7 +26,7 @@ NoiseModel largestNoise(const FrameScale& scale, const Params& params) {
 
 void Verification::begin(const FrameScale& scale) {
   scale_ = scale;
-  know(largestNoise(scale, params_));
+  setNoise(largestNoise(scale, params_));
   noise_measured_ = false;
   weight_ = 1.0;
   samples_.clear();
@@ -42,7 +42,7 @@ std::size_t Verification::inliersOfFirstDraw(const Segment& segment) const {
   return static_cast<std::size_t>(end - segment.inliers.begin());
 }
 
-void Verification::know(const NoiseModel& of_samples) {
+void Verification::setNoise(const NoiseModel& of_samples) {
   noise_ = point_noise_ = of_samples;
   point_noise_.scale = toleratedScale(scale_.image_noise);
 }
@@ -88,12 +88,12 @@ void Verification::addSamples(Samples samples) {
 
 void Verification::measureNoise(Samples samples, const List<Candidate>& candidates) {
   noise_measured_ = false;
-  know(largestNoise(scale_, params_));
+  setNoise(largestNoise(scale_, params_));
   applyNoise(noise_, samples);
   if (!params_.does(Step::noise)) return;
   const std::optional<NoiseModel> measured = primitect::measureNoise(samples, candidates, rules());
   noise_measured_ = measured.has_value();
-  if (measured) know(*measured);
+  if (measured) setNoise(*measured);
 }
 
 /// What is selected is fitted again, to all its samples. Measured on 60 tables and 8 clouds of the paper: with 256

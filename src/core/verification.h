@@ -116,7 +116,7 @@ class Verification {
   /// Inliers are in rising order, and those of the first draw before others.
   std::size_t inliersOfFirstDraw(const Segment& segment) const;
   bool isUnlikely(const Segment& segment) const { return segment.confidence < params_.min_confidence; }
-  void know(const NoiseModel& of_samples);
+  void setNoise(const NoiseModel& of_samples);
   Limits sampleLimits() const;
   ProposalRules rules() const;
   ProposalRules quickRules() const;

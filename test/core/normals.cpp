@@ -21,6 +21,15 @@ using test::cameraCloud;
 using test::kDegree;
 using test::patchOf;
 
+/// Points along the same rays, with noise of so much of the depth.
+void addNoise(double share, std::uint64_t seed, Cloud& cloud) {
+  Random random(seed);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float factor = 1.0f + static_cast<float>(share * random.gaussian());
+    for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
+  }
+}
+
 TEST(WindowNormals, AreExactOnSlantedPlanesAndPointToTheSensor) {
   for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0.5, 0, 1), Vec3(-0.3, 0.8, 1), Vec3(0.0, 1.5, 1)}) {
     const Vec3 normal = direction.normalized();
@@ -88,11 +97,7 @@ TEST(WindowNormals, LookAtAWiderWindowNearby) {
   // Noise of half a millimetre in a checkerboard; a wider window averages more of it away.
   const auto errorAt = [](double depth) {
     Cloud cloud = cameraCloud(Vec3::UnitZ(), depth);
-    Random random(39);
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const float factor = 1.0f + 0.002f * static_cast<float>(random.gaussian());
-      for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
-    }
+    addNoise(0.002, 39, cloud);
     Samples samples;
     drawSamples(cloud, 300, 1, samples);
     NormalSource source;
@@ -114,11 +119,7 @@ TEST(WindowNormals, LookAtAWiderWindowNearby) {
 TEST(WindowNormals, OfACoarseImageLookAtAsMuchOfTheScene) {
   // A focal length of 140 px is 0.27 of the usual one: 7 px at 1 m become 2.
   Cloud cloud = cameraCloud(Vec3(0.3, 0, 1).normalized(), 1.0);
-  Random random(38);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const float factor = 1.0f + 0.001f * static_cast<float>(random.gaussian());
-    for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
-  }
+  addNoise(0.001, 38, cloud);
   Samples samples;
   drawSamples(cloud, 300, 1, samples);
   NormalSource source;
@@ -382,15 +383,6 @@ TEST(CloudNormals, ThatAreAllMissingAreEstimated) {
   NormalSource source;
   estimateNormals(cloud, Params(), source, samples);
   for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_NEAR(samples.nz[i], -1.0f, 1e-4f);
-}
-
-/// Points along the same rays, with noise of so much of the depth.
-void addNoise(double share, std::uint64_t seed, Cloud& cloud) {
-  Random random(seed);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const float factor = 1.0f + static_cast<float>(share * random.gaussian());
-    for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) (*values)[i] *= factor;
-  }
 }
 
 /// Of a pixel's window of 11 x 11 pixels, steadied so far.
