@@ -43,6 +43,12 @@ Recipe stereo(std::uint64_t seed) {
   return recipe;
 }
 
+Recipe bent(std::uint64_t seed) {
+  Recipe recipe = recipeOf("tabletop", seed);
+  recipe.sensor = "bent_structured_light";
+  return recipe;
+}
+
 Recipe noisy(std::uint64_t seed) {
   Recipe recipe = recipeOf("tabletop", seed);
   recipe.noise_scale = 2.0;
@@ -56,6 +62,7 @@ std::vector<Recipe> variedClouds() {
           stereo(300),
           stereo(303),
           noisy(303),
+          bent(245),
           recipeOf("household", 304),
           recipeOf("household", 337),
           recipeOf("objects", 315),

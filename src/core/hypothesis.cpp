@@ -220,6 +220,16 @@ void silence(Hypothesis& hypothesis) {
   hypothesis.on.clear();
 }
 
+double worthAt(const List<std::uint32_t>& samples, const Hypothesis& hypothesis) {
+  double gain = 0.0;
+  auto next = samples.begin();
+  for (const Support& support : hypothesis.support) {
+    while (next != samples.end() && *next < support.sample) ++next;
+    if (next != samples.end() && *next == support.sample && support.gain > 0.0f) gain += support.gain;
+  }
+  return gain - priceOf(kindOf(hypothesis.shape), static_cast<double>(samples.size()));
+}
+
 void inliersOf(const Hypothesis& hypothesis, List<std::uint32_t>& inliers) {
   inliers.clear();
   for (const Support& support : hypothesis.support) {

@@ -101,6 +101,9 @@ void silence(Hypothesis& hypothesis);
 /// Score that a shape with so many inliers pays for its parameters: a plane has three, a cone six.
 double priceOf(Kind kind, double inliers);
 
+/// What a hypothesis makes of these samples (rising indices) alone: its gains there less its price.
+double worthAt(const List<std::uint32_t>& samples, const Hypothesis& hypothesis);
+
 /// Samples with a gain above 0.
 void inliersOf(const Hypothesis& hypothesis, List<std::uint32_t>& inliers);
 

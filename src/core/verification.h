@@ -68,10 +68,10 @@ class Verification {
   /// Whether the image shows a cylinder or cone where its samples say that it is.
   using IsSeen = std::function<bool(const Segment&)>;
 
-  /// Selects anew, fits what was selected again, takes apart what leads over tops of nearly one height or tubes of
-  /// several radii, and then refuses what is not likely enough, or not seen; its samples may serve others. No is_seen,
-  /// or any confidence will do: all are. Then large planes of a depth camera that are less even than the rest are added
-  /// (uneven_planes.h).
+  /// Selects anew, fits what was selected again, joins planes that are one, takes apart what leads over tops of nearly
+  /// one height or tubes of several radii, and then refuses what is not likely enough, or not seen; its samples may
+  /// serve others. No is_seen, or any confidence will do: all are. Then large planes of a depth camera that are less
+  /// even than the rest are added (uneven_planes.h).
   void conclude(const IsSeen& is_seen = nullptr);
 
   /// What points may stray; samples, which are steadied, less.
@@ -128,6 +128,12 @@ class Verification {
   void refit(const Segment& segment, const HeldGains& held);
   void join(const Hypothesis& version);
   void split(const Segment& segment, const HeldGains& held);
+  bool joinPlanes();
+  std::size_t countBeside(const Segment& segment, const Segment& other) const;
+  bool areNearlyOnePlane(const Segment& a, const Segment& b) const;
+  bool areInterwoven(const Segment& few, const Segment& many) const;
+  std::optional<Hypothesis> onePlaneFor(const Segment& few, const Segment& many, const HeldGains& held);
+  void silenceWithLikes(std::uint32_t a, std::uint32_t b);
   void settle();
   bool separate();
   bool separateTops(const Segment& segment, const HeldGains& held);

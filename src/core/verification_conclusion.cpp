@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Facets joined, what was selected fitted again and assessed, what is unlikely refused; see verification.h.
+// Facets joined, what was selected fitted again, settled and assessed, what is unlikely refused; see verification.h.
 #include <algorithm>
 #include <utility>
 
@@ -227,10 +227,11 @@ void Verification::addUnevenPlanes() {
 }
 
 void Verification::conclude(const IsSeen& is_seen) {
-  constexpr int kRefusals = 4;
+  constexpr int kRefusals = 4, kJoins = 4;
   select();
   joinFacets();
   refit();
+  for (int k = 0; k < kJoins && joinPlanes(); ++k) selectAgain();
   settle();
   for (int k = 0; (refuseUnlikely() || refuseUnseen(is_seen)) && k < kRefusals; ++k) {
     selectAgain();

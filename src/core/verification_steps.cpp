@@ -16,17 +16,6 @@
 namespace primitect {
 namespace {
 
-/// What a hypothesis makes of these samples (rising indices) alone, less its price.
-double worthAt(const List<std::uint32_t>& part, const Hypothesis& hypothesis) {
-  double gain = 0.0;
-  auto next = part.begin();
-  for (const Support& support : hypothesis.support) {
-    while (next != part.end() && *next < support.sample) ++next;
-    if (next != part.end() && *next == support.sample && support.gain > 0.0f) gain += support.gain;
-  }
-  return gain - priceOf(kindOf(hypothesis.shape), static_cast<double>(part.size()));
-}
-
 /// Both have an axis, and these are nearly parallel: what lies under a cylinder over an ellipsoid is no pile of things.
 bool areParallel(const Shape& a, const Shape& b) {
   constexpr double kLeastCosine = 0.94;  // 20 deg: the axis of a part as low as a lid is known to no more than some

@@ -299,6 +299,34 @@ TEST(Verification, KeepsTopsOfNearlyOneHeightApartInDepthFrames) {
   }
 }
 
+TEST(Verification, KeepsSurfacesThroughEachOtherApart) {
+  // In squares of 15 cm, every other one nearer by 3.3 deviations: a plane for both stays with one of them.
+  constexpr double kSquare = 0.15, kApart = 0.009;
+  Random random(98);
+  std::vector<SurfacePoint> points = noisy(patchOf(kWall, 1500, 0.4, random), random);
+  Verification verification{Params()};
+  verification.begin({kDiameter, true});
+  verification.measureNoise(test::samplesOf(points), {test::candidate(kWall, points[0], 9.0)});
+  List<Candidate> candidates(2);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    Vec3& point = points[i].point;
+    const bool nearer = std::sin(M_PI / kSquare * point.x()) * std::sin(M_PI / kSquare * point.y()) > 0.0;
+    const double before = nearer ? kApart : 0.0;
+    point.z() -= before;
+    Candidate& candidate = candidates[nearer ? 1 : 0];
+    candidate = test::candidate(Plane{kWall.point - before * Vec3::UnitZ(), kWall.normal}, points[i], 9.0);
+    candidate.sample = i;
+  }
+  addRound(verification, test::samplesOf(points), candidates);
+  verification.conclude();
+  ASSERT_EQ(verification.segments().size(), 2u);
+  for (const Segment& segment : verification.segments()) {
+    EXPECT_GT(segment.inliers.size(), 700u);
+    const double off = std::abs(distance(segment.candidate.shape, kWall.point));
+    EXPECT_LT(std::min(off, std::abs(off - kApart)), 0.5 * kNoise) << "as where one plane took the place of both";
+  }
+}
+
 TEST(Verification, AsksEachPlaneOfEachFrameWhetherItIsWhole) {
   // Two pairs of tops, one of them level in both frames, the other in the first alone: at the same places, with the
   // same indices.
