@@ -46,9 +46,9 @@ bool Verification::areNearlyOnePlane(const Segment& a, const Segment& b) const {
   return std::min(meanDistance(samples_, b.inliers, first), meanDistance(samples_, a.inliers, second)) <= kFar;
 }
 
-/// Whether samples of both are everywhere side by side. Of a board on a table only its rim has others beside it: four
-/// times the root of its samples, where these are as dense along as across. Of the halves of bent tables and floors it
-/// is a third of the samples and more.
+/// Whether samples of both are everywhere side by side. Of a board on a table only its rim has others beside it: up to
+/// four times the root of its samples, somewhat more where it is long. Of the halves of bent tables and floors it is a
+/// third of the samples and more.
 bool Verification::areInterwoven(const Segment& few, const Segment& many) const {
   constexpr double kRim = 5.0, kLeast = 0.25;
   const auto samples = static_cast<double>(few.inliers.size());
