@@ -178,12 +178,12 @@ bool alike(const Hypothesis& a, const Hypothesis& b) {
     return static_cast<double>(both) > kSame * static_cast<double>(a.inliers + b.inliers - both);
   };
   if (!same(std::min(a.inliers, b.inliers))) return false;
-  return same(commonInliers(a, b));
+  return mayOverlap(a, b) && same(commonInliers(a, b));
 }
 
 bool isKnown(const Hypothesis& hypothesis, const List<Hypothesis>& pool) {
   return std::any_of(pool.begin(), pool.end(), [&hypothesis](const Hypothesis& other) {
-    return hypothesis.gain_sum < kMore * other.gain_sum && mayOverlap(other, hypothesis) && alike(other, hypothesis);
+    return hypothesis.gain_sum < kMore * other.gain_sum && alike(other, hypothesis);
   });
 }
 

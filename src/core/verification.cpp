@@ -122,8 +122,7 @@ void Verification::dropLikenesses() {
   const auto redundant = [this](std::uint32_t h) {
     const auto& chosen = selection_.chosen;
     if (std::find(chosen.begin(), chosen.end(), h) != chosen.end()) return false;
-    return std::any_of(chosen.begin(), chosen.end(),
-                       [&](std::uint32_t c) { return mayOverlap(pool_[h], pool_[c]) && alike(pool_[h], pool_[c]); });
+    return std::any_of(chosen.begin(), chosen.end(), [&](std::uint32_t c) { return alike(pool_[h], pool_[c]); });
   };
   List<std::uint32_t> place(pool_.size(), kNobody);
   std::uint32_t kept = 0;

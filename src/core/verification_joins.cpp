@@ -34,12 +34,11 @@ std::size_t Verification::countBeside(const Segment& segment, const Segment& oth
   return static_cast<std::size_t>(std::count_if(segment.inliers.begin(), segment.inliers.end(), isBeside));
 }
 
-/// Whether both are large and one of them fits the other's samples nearly; of two that lean apart, one is far off at
-/// the other's ends.
+/// Whether one of two planes fits the other's samples nearly; of two that lean apart, one is far off at the other's
+/// ends.
 bool Verification::areNearlyOnePlane(const Segment& a, const Segment& b) const {
   constexpr double kLeastCosine = 0.9986;  // 3 deg
   constexpr double kFar = 4.0;             // deviations
-  if (!isLargePlane(a) || !isLargePlane(b)) return false;
   const Shape &first = pool_[a.hypothesis].shape, &second = pool_[b.hypothesis].shape;
   const double cosine = std::get<Plane>(first).normal.dot(std::get<Plane>(second).normal);
   if (!(std::abs(cosine) >= kLeastCosine)) return false;
@@ -81,20 +80,19 @@ void Verification::silenceWithLikes(std::uint32_t a, std::uint32_t b) {
   List<std::uint32_t> likes = {a, b};
   for (std::uint32_t h = 0; h < pool_.size(); ++h) {
     if (h == a || h == b || pool_[h].support.empty()) continue;
-    const auto isLike = [&](std::uint32_t other) {
-      return mayOverlap(pool_[h], pool_[other]) && alike(pool_[h], pool_[other]);
-    };
-    if (isLike(a) || isLike(b)) likes.push_back(h);
+    if (alike(pool_[h], pool_[a]) || alike(pool_[h], pool_[b])) likes.push_back(h);
   }
   for (const std::uint32_t h : likes) silence(pool_[h]);
 }
 
 /// Waves of the depth are no noise to a plane's samples, and two planes through each other explain a table better than
-/// one. Joins the first two of what was selected that are one; returns whether there were such.
+/// one. Joins the first two large ones of those selected that are one; returns whether there were such.
 bool Verification::joinPlanes() {
   if (!noise_.ofDepthCamera() || !params_.does(Step::joined_planes)) return false;
   for (std::size_t a = 0; a < segments_.size(); ++a) {
+    if (!isLargePlane(segments_[a])) continue;
     for (std::size_t b = a + 1; b < segments_.size(); ++b) {
+      if (!isLargePlane(segments_[b])) continue;
       const bool fewer = segments_[a].inliers.size() < segments_[b].inliers.size();
       const Segment &few = segments_[fewer ? a : b], &many = segments_[fewer ? b : a];
       if (!areNearlyOnePlane(few, many) || !areInterwoven(few, many)) continue;
