@@ -94,7 +94,15 @@ void moveToRobotFrame(LabelledCloud& result) {
   const Eigen::Isometry3d robot_from_sensor = robotFromSensor();
   result.cloud.move(robot_from_sensor, DepthRange());
   result.scored.move(robot_from_sensor, DepthRange());
-  for (TrueShape& truth : result.truth) truth.shape = transformed(robot_from_sensor, truth.shape);
+  for (TrueShape& truth : result.truth) {
+    Detections one;
+    one.items.resize(1);
+    one.items[0].shape = truth.shape;
+    if (truth.seen) one.items[0].extent = *truth.seen;
+    transformDetections(robot_from_sensor, one);
+    truth.shape = one.items[0].shape;
+    if (truth.seen) truth.seen = one.items[0].extent;
+  }
 }
 
 LabelledCloud withoutVariants(const Recipe& recipe) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "eval/measured_normals.h"
 #include "primitect/transforms.h"
@@ -66,9 +67,21 @@ void labelFaces(const Frame& frame, LabelledCloud& result) {
   }
 }
 
+constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
+
+/// What is seen of each surface of the world, without the noise, which would make it longer.
+std::vector<std::optional<Extent>> seenExtents(const View& view, const synthetic::Rendering& exact) {
+  synthetic::TruthParams params;
+  params.min_pixels = kFewestPixels;
+  std::vector<int> surface_of_item;
+  const Detections items = truthOf(view.world, view.camera, view.world_from_camera, exact, params, &surface_of_item);
+  std::vector<std::optional<Extent>> extents(view.world.surfaces().size());
+  for (std::size_t k = 0; k < items.items.size(); ++k) extents[surface_of_item[k]] = items.items[k].extent;
+  return extents;
+}
+
 /// The truth in order of its surfaces, also of those that need not be found; surfaces get its index as label.
-void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) {
-  constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
+void labelSurfaces(const View& view, const Frame& frame, const synthetic::Rendering& exact, LabelledCloud& result) {
   synthetic::TruthParams params;
   params.min_pixels = kFewestPixels;
   std::vector<int> surface_of_item;
@@ -76,14 +89,17 @@ void labelSurfaces(const View& view, const Frame& frame, LabelledCloud& result) 
   const Detections items = truthOf(view.world, view.camera, view.world_from_camera, measured, params, &surface_of_item);
   std::vector<int> label(view.world.surfaces().size(), kClutter);
   std::vector<std::uint32_t> pixels;  // of each true shape
+  const std::vector<std::optional<Extent>> seen = seenExtents(view, exact);
   for (std::size_t k = 0; k < items.items.size(); ++k) {
     const Detection& item = items.items[k];
     std::size_t t = indexOfSamePlane(item, result.truth);
     if (t == result.truth.size()) {
       result.truth.push_back({item.shape, item.concave});
+      result.truth.back().seen = seen[surface_of_item[k]];
       pixels.push_back(0);
-    } else if (!isSame(item, result.truth[t].shape)) {
-      result.truth[t].exact = false;
+    } else {
+      result.truth[t].seen.reset();
+      if (!isSame(item, result.truth[t].shape)) result.truth[t].exact = false;
     }
     pixels[t] += item.inlier_count;
     result.truth[t].must = pixels[t] >= leastPixels(result.recipe) && !item.concave;
@@ -130,25 +146,24 @@ void excuseRims(const PinholeCamera& camera, LabelledCloud& frame) {
   }
 }
 
-/// The points of the surfaces themselves, where the cloud has a measured one.
-Cloud exactPoints(const View& view, const Cloud& cloud) {
+/// The surfaces themselves, where the cloud has a measured point.
+synthetic::Rendering exactRendering(const View& view, const Cloud& cloud) {
   synthetic::Rendering exact;
   render(view.world, view.camera, view.world_from_camera, exact);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.valid(i)) exact.depth[i] = std::numeric_limits<float>::quiet_NaN();
   }
-  Cloud scored;
-  cloudFromDepth(exact.depth, view.camera, DepthRange(), scored);
-  return scored;
+  return exact;
 }
 
 /// Exact points and normals; of surfaces that are none of the four kinds the normals are measured.
-Cloud scoredPoints(const View& view, const Frame& frame, const Cloud& cloud) {
+Cloud scoredPoints(const View& view, const Frame& frame, const synthetic::Rendering& exact, const Cloud& cloud) {
   std::vector<Shape> shapes;
   for (const synthetic::Surface& surface : view.world.surfaces()) {
     shapes.push_back(transformed(view.world_from_camera.inverse(), surface.shape));
   }
-  Cloud scored = exactPoints(view, cloud);
+  Cloud scored;
+  cloudFromDepth(exact.depth, view.camera, DepthRange(), scored);
   clearNormals(scored);
   std::vector<std::uint32_t> without_shape;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
@@ -192,9 +207,10 @@ LabelledCloud depthFrame(const Recipe& recipe) {
   result.unit = kMillimeter;
   result.rules.max_distance = 20.0 * kMillimeter;
   cloudFromDepth(frame.depth, view.camera, params.truth.range, result.cloud);
-  labelSurfaces(view, frame, result);
+  const synthetic::Rendering exact = exactRendering(view, result.cloud);
+  labelSurfaces(view, frame, exact, result);
   excuseRims(view.camera, result);
-  result.scored = scoredPoints(view, frame, result.cloud);
+  result.scored = scoredPoints(view, frame, exact, result.cloud);
   return result;
 }
 

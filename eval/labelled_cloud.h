@@ -3,6 +3,7 @@
 // What every method is given, and what is true about it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "eval/metrics.h"
@@ -21,6 +22,8 @@ struct TrueShape {
   bool must = true;
   /// False: it stands for several surfaces that are nearly the same, and its numbers are those of one of them.
   bool exact = true;
+  /// Of what is seen of it, where the simulation tells (depth frames, exact shapes).
+  std::optional<Extent> seen = std::nullopt;
 };
 
 constexpr int kNoShape = -1, kClutter = -2;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/data_sets.h"
+#include "eval/extent_errors.h"
 #include "eval/nees.h"
 #include "eval/peers/peers.h"
 #include "primitect/steps.h"
@@ -79,6 +80,20 @@ bool isJudged(const LabelledCloud& input, int true_shape, const Detection& detec
   return input.truth[true_shape].exact && error && std::none_of(input.truth.begin(), input.truth.end(), isNearer);
 }
 
+/// With what the detection says of its ends: truncated, unseen_ends; on_faces: bits of End.
+Json extentJson(const TrueShape& truth, const Detection& found) {
+  const ExtentErrors errors = extentErrors(truth.shape, *truth.seen, found);
+  Json json = Json::object();
+  if (errors.beyond_ends) json["beyond_ends"] = *errors.beyond_ends;
+  if (errors.outline_overlap) json["outline_overlap"] = *errors.outline_overlap;
+  if (json.empty()) return json;
+  json["truncated"] = found.truncated;
+  json["unseen_ends"] = found.extent.unseen_ends;
+  json["on_faces"] = (found.extent.face_at_minus_z == kNoFace ? 0 : int{kEndAtMinusZ}) |
+                     (found.extent.face_at_plus_z == kNoFace ? 0 : int{kEndAtPlusZ});
+  return json;
+}
+
 /// Confidence, evidence and normalised errors only where the method tells them.
 Json detectionsJson(const LabelledCloud& input, const Answer& answer, const CaseScore& score) {
   Json json = Json::array();
@@ -95,6 +110,10 @@ Json detectionsJson(const LabelledCloud& input, const Answer& answer, const Case
       if (score.verdicts[d] == Verdict::right && isJudged(input, score.true_shape[d], detection)) {
         const Json nees = neesJson(kind, normalisedErrors(input.truth[score.true_shape[d]].shape, detection));
         if (!nees.empty()) entry["nees"] = nees;
+      }
+      if (score.verdicts[d] == Verdict::right && input.truth[score.true_shape[d]].seen) {
+        const Json extent = extentJson(input.truth[score.true_shape[d]], detection);
+        if (!extent.empty()) entry["extent"] = extent;
       }
     }
     json.push_back(entry);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "eval/case_score.h"
@@ -491,6 +492,46 @@ TEST(TabletopFrames, AskForConvexShapesWithEnoughPixelsOnly) {
       EXPECT_EQ(input.truth[t].must, pixels[t] >= 900 && !input.truth[t].concave) << "seed " << seed << " shape " << t;
     }
   }
+}
+
+TEST(TabletopFrames, TellFromWhereToWhereTheirTubesAndConesAreSeen) {
+  for (const bool robot_frame : {false, true}) {
+    Recipe recipe = recipeOf("tabletop", 200);
+    recipe.robot_frame = robot_frame;
+    const LabelledCloud input = makeLabelledCloud(recipe);
+    int told = 0;
+    for (std::size_t t = 0; t < input.truth.size(); ++t) {
+      const TrueShape& truth = input.truth[t];
+      if (kindOf(truth.shape) == Kind::plane || kindOf(truth.shape) == Kind::sphere || !truth.must) continue;
+      ASSERT_TRUE(truth.seen) << t;
+      double first = 1.0, last = -1.0;  // m
+      for (std::size_t i = 0; i < input.surface.size(); ++i) {
+        if (input.surface[i] != static_cast<int>(t)) continue;
+        const double along = (input.scored.point(i) - truth.seen->origin).dot(truth.seen->rotation.col(2));
+        first = std::min(first, along);
+        last = std::max(last, along);
+      }
+      EXPECT_NEAR(first, -0.5 * truth.seen->size.z(), 1e-5) << t;
+      EXPECT_NEAR(last, 0.5 * truth.seen->size.z(), 1e-5) << t;
+      ++told;
+    }
+    EXPECT_GE(told, 3);
+  }
+}
+
+TEST(TabletopFrames, TellWhatIsSeenOfOneFaceOnly) {
+  const LabelledCloud input = makeLabelledCloud(recipeOf("tabletop", 203));
+  std::vector<std::set<int>> faces(input.truth.size());
+  for (std::size_t i = 0; i < input.face.size(); ++i) {
+    if (input.face[i] != kNoShape) faces[input.surface[i]].insert(input.face[i]);
+  }
+  int several = 0;
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    if (faces[t].size() < 2) continue;
+    ++several;
+    EXPECT_FALSE(input.truth[t].seen) << t;
+  }
+  EXPECT_GT(several, 0);
 }
 
 TEST(Tabletop, OfAnotherWidthIsTheSameSceneInAsManyPixels) {
