@@ -13,6 +13,7 @@
 #include "core/image_rays.h"
 #include "core/listed_image.h"
 #include "core/lower_quartile.h"
+#include "core/shadows.h"
 
 namespace primitect {
 namespace {
@@ -214,7 +215,8 @@ bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) 
 }
 
 CameraSearch searchForCamera(const Cloud& whole) {
-  const std::optional<Eigen::Isometry3d> camera = findCamera(whole);
+  std::optional<Eigen::Isometry3d> camera = findCamera(whole);
+  if (!camera && !whole.organized() && !whole.hasNormals()) camera = findCameraByShadows(whole);
   if (!camera) return {};
   return isAtOrigin(*camera, whole) ? CameraSearch{true, std::nullopt} : CameraSearch{false, camera};
 }
