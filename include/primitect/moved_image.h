@@ -30,13 +30,18 @@ double turnOf(const Eigen::Isometry3d& cloud_from_camera, bool of_list);
 /// to a turn around z. A poor lens there shifts what is found by some millimetres.
 bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud);
 
+/// What told where a camera is: rows and columns of an image, the order of a list, or what it does not see of a plane.
+enum class CameraClue { image, order, shadows };
+
 /// What the points of a cloud tell of their camera.
 struct CameraSearch {
   bool at_origin = false;                              ///< it is there, and looks along z
   std::optional<Eigen::Isometry3d> cloud_from_camera;  ///< it is elsewhere
+  CameraClue clue = CameraClue::image;                 ///< of one that is elsewhere
 };
 
-/// With findCamera(), of a cloud in which nothing was cut off.
+/// With findCamera(), of a cloud in which nothing was cut off; of a list without normals whose order tells nothing with
+/// findCameraByShadows() (core/shadows.h), to some centimetres.
 CameraSearch searchForCamera(const Cloud& whole);
 
 /// Of a cloud in which depths were cut along z, perhaps of the wrong frame. An image is not looked at further where it

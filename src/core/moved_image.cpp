@@ -215,10 +215,13 @@ bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) 
 }
 
 CameraSearch searchForCamera(const Cloud& whole) {
-  std::optional<Eigen::Isometry3d> camera = findCamera(whole);
-  if (!camera && !whole.organized() && !whole.hasNormals()) camera = findCameraByShadows(whole);
-  if (!camera) return {};
-  return isAtOrigin(*camera, whole) ? CameraSearch{true, std::nullopt} : CameraSearch{false, camera};
+  if (const std::optional<Eigen::Isometry3d> camera = findCamera(whole)) {
+    if (isAtOrigin(*camera, whole)) return {true, std::nullopt};
+    return {false, camera, whole.organized() ? CameraClue::image : CameraClue::order};
+  }
+  // With normals it may be anything: what was scanned, a model, a map.
+  if (whole.organized() || whole.hasNormals()) return {};
+  return {false, findCameraByShadows(whole), CameraClue::shadows};
 }
 
 std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut) {

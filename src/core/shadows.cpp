@@ -22,6 +22,7 @@ using Point = Eigen::Vector3f;
 
 constexpr float kNearGround = 0.012f;   // m; points within are the plane's
 constexpr float kAboveGround = 0.024f;  // m; points beyond stand on it
+constexpr std::size_t kMostStanding = 16384;
 
 std::vector<Point> pointsOf(const Cloud& cloud) {
   std::vector<Point> points;
@@ -141,7 +142,6 @@ class Shadows {
 };
 
 Shadows::Shadows(const Ground& ground, const std::vector<Point>& points) : offset_(ground.offset) {
-  constexpr std::size_t kMostStanding = 16384;
   axes_.row(2) = ground.normal;
   axes_.row(0) = ground.normal.unitOrthogonal();
   axes_.row(1) = ground.normal.cross(axes_.row(0).transpose());
@@ -151,6 +151,7 @@ Shadows::Shadows(const Ground& ground, const std::vector<Point>& points) : offse
     if (std::abs(moved.z()) < kNearGround) near.push_back(moved);
     if (moved.z() > kAboveGround) above.push_back(moved);
   }
+  if (near.empty()) return;
   draw(near);
   std::copy_if(above.begin(), above.end(), std::back_inserter(standing), [this](const Point& p) { return isOver(p); });
   const std::size_t step = standing.size() / kMostStanding + 1;
@@ -163,6 +164,7 @@ Shadows::Shadows(const Ground& ground, const std::vector<Point>& points) : offse
 void Shadows::draw(const std::vector<Point>& near) {
   constexpr float kSmallest = 0.01f, kLarger = 1.4f;  // m
   constexpr int kSizes = 5;
+  constexpr float kMostCells = 1e6f;
   Point low = near.front(), high = near.front();
   for (const Point& point : near) low = low.cwiseMin(point), high = high.cwiseMax(point);
   left_ = low.x(), bottom_ = low.y();
@@ -170,8 +172,10 @@ void Shadows::draw(const std::vector<Point>& near) {
   std::vector<std::uint8_t> seen;
   for (int k = 0; k < kSizes; ++k, cell *= kLarger) {
     per_cell_ = 1.0f / cell;
-    columns_ = static_cast<int>((high.x() - left_) * per_cell_) + 1;
-    rows_ = static_cast<int>((high.y() - bottom_) * per_cell_) + 1;
+    const float wide = (high.x() - left_) * per_cell_, deep = (high.y() - bottom_) * per_cell_;
+    if (!((wide + 1.0f) * (deep + 1.0f) < kMostCells)) continue;
+    columns_ = static_cast<int>(wide) + 1;
+    rows_ = static_cast<int>(deep) + 1;
     seen.assign(static_cast<std::size_t>(columns_) * rows_, 0);
     std::size_t filled = 0;
     for (const Point& point : near) {
@@ -291,44 +295,48 @@ void improve(Shadows& shadows, std::size_t points, float step, float least_step,
   }
 }
 
-/// Of the points, some of which no camera at the place would have seen, as others are before them, or more than 60 deg
-/// aside of the middle.
-double hiddenShare(const std::vector<Point>& points, const Point& middle, const Point& place) {
-  constexpr std::size_t kMostLooked = 32768;
+/// Of the points, those that no camera at the place would have seen: others are before them, or they lie more than 60
+/// deg aside of where it looks.
+double hiddenShare(const std::vector<Point>& points, const Point& place, const Point& ahead) {
+  constexpr std::size_t kMostLooked = 32768, kMostPixels = 4'000'000;
   constexpr float kLeastCosine = 0.5f;
   constexpr float kWide = 3.0f;   // pixels; times the distance of neighbours that fill a disc
   constexpr float kSteep = 4.0f;  // how much farther a surface may be one pixel further, in pixels
   constexpr float kFar = std::numeric_limits<float>::max();
-  const Point ahead = (middle - place).normalized(), right = ahead.unitOrthogonal(), down = ahead.cross(right);
   struct Ray {
     float u, v, distance;
   };
   std::vector<Ray> rays;
+  const Point right = ahead.unitOrthogonal(), down = ahead.cross(right);
   const std::size_t step = points.size() / kMostLooked + 1;
+  Ray low = {kFar, kFar, 0.0f}, high = {-kFar, -kFar, 0.0f};
+  Point sum = Point::Zero();
   float square = 0.0f;
   std::size_t looked = 0;
-  Ray low = {kFar, kFar, 0.0f}, high = {-kFar, -kFar, 0.0f};
   for (std::size_t k = 0; k < points.size(); k += step, ++looked) {
     const Point way = points[k] - place;
     const float depth = ahead.dot(way), distance = way.norm();
-    square += (points[k] - middle).squaredNorm();
+    sum += way;
+    square += way.squaredNorm();
     if (!(depth > kLeastCosine * distance)) continue;
     rays.push_back({right.dot(way) / depth, down.dot(way) / depth, distance});
     low.u = std::min(low.u, rays.back().u), low.v = std::min(low.v, rays.back().v);
     high.u = std::max(high.u, rays.back().u), high.v = std::max(high.v, rays.back().v);
   }
+  if (rays.empty()) return 1.0;
   const auto count = static_cast<float>(looked);
-  const float pixel = kWide * std::sqrt(square) / count / (middle - place).norm();
-  if (rays.empty() || !(pixel > 0.0f)) return 1.0;
-  const auto columns = static_cast<std::size_t>((high.u - low.u) / pixel) + 1;
-  const auto rows = static_cast<std::size_t>((high.v - low.v) / pixel) + 1;
-  std::vector<float> nearest(columns * rows, kFar);
-  const auto pixelOf = [&](const Ray& ray) -> float& {
-    return nearest[static_cast<std::size_t>((ray.v - low.v) / pixel) * columns +
+  const float away = sum.norm() / count, spread = std::sqrt(std::max(0.0f, square / count - away * away));
+  const float pixel = kWide * spread / std::sqrt(count) / away;
+  const float columns = (high.u - low.u) / pixel, rows = (high.v - low.v) / pixel;
+  if (!(columns * rows < static_cast<float>(kMostPixels))) return 1.0;
+  const auto width = static_cast<std::size_t>(columns) + 1;
+  std::vector<float> nearest(width * (static_cast<std::size_t>(rows) + 1), kFar);
+  const auto nearestOf = [&](const Ray& ray) -> float& {
+    return nearest[static_cast<std::size_t>((ray.v - low.v) / pixel) * width +
                    static_cast<std::size_t>((ray.u - low.u) / pixel)];
   };
-  for (const Ray& ray : rays) pixelOf(ray) = std::min(pixelOf(ray), ray.distance);
-  const auto hidden = [&](const Ray& ray) { return ray.distance > (1.0f + kSteep * pixel) * pixelOf(ray); };
+  for (const Ray& ray : rays) nearestOf(ray) = std::min(nearestOf(ray), ray.distance);
+  const auto hidden = [&](const Ray& ray) { return ray.distance > (1.0f + kSteep * pixel) * nearestOf(ray); };
   const std::size_t aside = looked - rays.size();
   return static_cast<double>(aside + std::count_if(rays.begin(), rays.end(), hidden)) / static_cast<double>(looked);
 }
@@ -350,29 +358,29 @@ Eigen::Isometry3d lookingAt(const Vec3& point, const Vec3& from, const Vec3& up)
 
 std::optional<Eigen::Isometry3d> findCameraByShadows(const Cloud& list) {
   constexpr std::size_t kFewest = 500;
-  constexpr std::size_t kRoughly = 700, kBetter = 1200, kWell = 4096, kAll = 16384;  // points
+  constexpr std::size_t kRoughly = 700, kBetter = 1200, kWell = 4096, kAll = kMostStanding;  // points
   constexpr std::size_t kTaken = 4;
-  constexpr float kMostMisfit = 0.2f, kSurely = 0.3f, kAsGood = 0.15f;
-  constexpr float kFarthest = 2.6f;      // m
-  constexpr double kMostHidden = 0.012;  // at edges the camera's own
+  constexpr float kMostMisfit = 0.2f, kAsGood = 0.15f;
+  constexpr float kFarthest = 2.6f;     // m
+  constexpr double kMostHidden = 0.03;  // behind edges, which noise and lenses blur
   const std::vector<Point> points = pointsOf(list);
-  if (points.size() < kFewest) return std::nullopt;
+  if (points.size() < kFewest || hiddenShare(points, Point::Zero(), Point::UnitZ()) <= kMostHidden) return std::nullopt;
   const std::optional<Ground> ground = findGround(points);
   if (!ground) return std::nullopt;
   Shadows shadows(*ground, points);
   if (!shadows.isWorthASearch()) return std::nullopt;
-  const Point origin = shadows.inFrameOfGround(Point::Zero());
-  const float of_origin = origin.z() > kAboveGround ? shadows.misfit(origin, kAll) : 1.0f;
-  if (of_origin < kSurely) return std::nullopt;
   std::vector<Lamp> lamps = manyLamps(shadows, kRoughly);
   lamps.resize(kTaken);
   for (Lamp& lamp : lamps) improve(shadows, kBetter, 0.1f, 0.02f, lamp);
   Lamp best = *std::min_element(lamps.begin(), lamps.end());
   improve(shadows, kWell, 0.03f, 0.004f, best);
   improve(shadows, kAll, 0.01f, 0.006f, best);
-  if (!(best.misfit < kMostMisfit) || of_origin < best.misfit + kAsGood) return std::nullopt;
+  const Point origin = shadows.inFrameOfGround(Point::Zero());
+  const bool origin_is_as_good = origin.z() > kAboveGround && shadows.misfit(origin, kAll) < best.misfit + kAsGood;
+  if (!(best.misfit < kMostMisfit) || origin_is_as_good) return std::nullopt;
   const Point middle = shadows.inFrameOfCloud(shadows.middleOfGround()), place = shadows.inFrameOfCloud(best.place);
-  if (!((place - middle).norm() < kFarthest) || hiddenShare(points, middle, place) > kMostHidden) return std::nullopt;
+  const Point way = middle - place;
+  if (!(way.norm() < kFarthest) || hiddenShare(points, place, way.normalized()) > kMostHidden) return std::nullopt;
   return lookingAt(middle.cast<double>(), place.cast<double>(), ground->normal.cast<double>());
 }
 

@@ -98,10 +98,14 @@ Json poseJson(const SensorPose& pose) {
   return json;
 }
 
+const char* clueName(CameraClue clue) {
+  return clue == CameraClue::image ? "image" : clue == CameraClue::order ? "order" : "shadows";
+}
+
 Json sensorJson(const FileReport& report) {
   if (!report.sensor) return nullptr;
   Json json = poseJson(*report.sensor);
-  json["from"] = !report.found_sensor ? "option" : report.found_by_order ? "order" : "image";
+  json["from"] = report.found_by ? clueName(*report.found_by) : "option";
   return json;
 }
 

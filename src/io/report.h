@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/sensor_pose.h"
+#include "primitect/moved_image.h"
 #include "primitect/primitives.h"
 #include "primitect/steps.h"
 
@@ -23,11 +24,10 @@ struct FileReport {
   std::string file;
   std::string error;  ///< not empty: the file could not be read, nothing else holds
   Detections detections;
-  std::optional<SensorPose> sensor;  ///< where it is not at the origin along z
-  bool found_sensor = false;         ///< the image tells it, or the order of a list
-  bool found_by_order = false;       ///< the latter
-  std::optional<double> effort;      ///< with max_latency: the share of the samples that was drawn at each draw
-  Timing timing_ms;                  ///< with several runs: the medians
+  std::optional<SensorPose> sensor;    ///< where it is not at the origin along z
+  std::optional<CameraClue> found_by;  ///< what told it, where the points do
+  std::optional<double> effort;        ///< with max_latency: the share of the samples that was drawn at each draw
+  Timing timing_ms;                    ///< with several runs: the medians
   int repeats = 1;
   unsigned late_runs = 0;  ///< with max_latency: how many of them took longer
   Steps left_out;

@@ -173,14 +173,27 @@ void DetectorNodelet::warnIfNotSeenFromOrigin() {
                                 << sequence_->sensorHeader().frame_id << "' along z: " << advice);
 }
 
+const char* clueText(CameraClue clue) {
+  switch (clue) {
+    case CameraClue::image:
+      return "their rows and columns tell";
+    case CameraClue::order:
+      return "their order tells";
+    case CameraClue::shadows:
+      return "the shadows of things on a plane tell, to some centimetres,";
+  }
+  return "";
+}
+
 void DetectorNodelet::tellFoundCamera() {
   if (!pipeline().foundCamera() || told_found_camera_) return;
   told_found_camera_ = true;
   const Eigen::Isometry3d& camera = *pipeline().foundCamera();
   const std::string& frame = sequence_->sensorHeader().frame_id;
   constexpr double kTurned = 0.3;  // rad: more than from one optical frame of a camera to another of its own
-  const bool by_order = pipeline().isFoundByOrder();
-  if (frame.find("optical") != std::string::npos && turnOf(camera, by_order) > kTurned) {
+  const CameraClue clue = pipeline().cameraClue();
+  const bool of_list = clue != CameraClue::image;
+  if (frame.find("optical") != std::string::npos && turnOf(camera, of_list) > kTurned) {
     NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are said to be in '" << frame
                                   << "', but their axes are not those of an optical frame (z ahead, x right, y down): "
                                   << "what tf makes of them, as in target_frame, is turned");
@@ -188,11 +201,11 @@ void DetectorNodelet::tellFoundCamera() {
   const Eigen::Vector3d position = camera.translation();
   const Eigen::Quaterniond orientation(camera.linear());
   NODELET_INFO_STREAM(getName() << ": clouds on " << input_.getTopic() << " are "
-                                << (by_order ? "lists of the points of images" : "images")
-                                << " that were moved to frame '" << frame << "': searched from where their "
-                                << (by_order ? "order tells" : "rows and columns tell") << " that the camera was, at ("
-                                << std::fixed << std::setprecision(3) << position.transpose() << ") m, x y z w ("
-                                << orientation.coeffs().transpose() << "); sensor_frame would say it");
+                                << (of_list ? "lists of the points of images" : "images")
+                                << " that were moved to frame '" << frame << "': searched from where " << clueText(clue)
+                                << " that the camera was, at (" << std::fixed << std::setprecision(3)
+                                << position.transpose() << ") m, x y z w (" << orientation.coeffs().transpose()
+                                << "); sensor_frame would say it");
 }
 
 void DetectorNodelet::warnIfIncomplete(const std_msgs::Header& header) {

@@ -68,12 +68,11 @@ class FramePipeline {
   /// The last cloud could be read.
   bool hasCloud() const { return has_cloud_; }
 
-  /// Of the last cloud, where its own rows and columns, or the order of a list, told that it is elsewhere; in its
-  /// frame.
+  /// Of the last cloud, where its own points told that it is elsewhere; in its frame.
   const std::optional<Eigen::Isometry3d>& foundCamera() const { return camera_.cloud_from_camera; }
 
-  /// The order of a list told it.
-  bool isFoundByOrder() const { return foundCamera() && !cloud_.organized(); }
+  /// What told it.
+  CameraClue cameraClue() const { return camera_.clue; }
 
   /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.
   std::optional<bool> seenFromOrigin() const;

@@ -73,8 +73,8 @@ std::vector<std::string> BagSummary::notes() const {
   }
   if (moved_ > 0) {
     notes.push_back(std::to_string(moved_) + " of " + std::to_string(clouds_) +
-                    " clouds were moved to another frame: searched from where their rows and columns, or the order of "
-                    "their points, tell that the camera was");
+                    " clouds were moved to another frame: searched from where their rows and columns, the order of "
+                    "their points, or the shadows of things, tell that the camera was");
   }
   const double share = clouds_ > 0 ? beyond_ / static_cast<double>(clouds_) : 0.0;
   if (share >= io::kMuchBeyond) {

@@ -88,8 +88,7 @@ io::FileReport processFile(const tools::DetectOptions& options, const Targets& t
   const tools::DetectInput input = tools::readInput(options, report.file);
   report.timing_ms.emplace_back("read", reading.lapMs());
   report.sensor = input.sensor;
-  report.found_sensor = input.found_sensor;
-  report.found_by_order = input.found_sensor && !input.cloud.organized();
+  report.found_by = input.found_by;
   report.left_out = input.params.left_out;
   primitect::Detector detector(input.params);
   const double bound = input.params.max_latency;

@@ -24,7 +24,7 @@ void moveToFoundCamera(DetectInput& input) {
   input.sensor_at_origin = found.at_origin;
   if (!found.cloud_from_camera) return;
   input.sensor = io::SensorPose::of(*found.cloud_from_camera);
-  input.found_sensor = true;
+  input.found_by = found.clue;
   moveToSensor(*input.sensor, input);
 }
 

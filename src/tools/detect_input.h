@@ -8,6 +8,7 @@
 
 #include "io/point_files.h"
 #include "primitect/cloud.h"
+#include "primitect/moved_image.h"
 #include "primitect/params.h"
 #include "tools/detect_options.h"
 
@@ -18,9 +19,9 @@ struct DetectInput {
   io::PointFile file;
   /// Where the user says that the sensor was, or the image tells it; else it is at the origin.
   std::optional<io::SensorPose> sensor;
-  bool found_sensor = false;      ///< the image tells it, or the order of a list
-  bool sensor_at_origin = false;  ///< the same, of one that is there
-  std::optional<Cloud> moved;     ///< with a sensor: all points, in its frame
+  std::optional<CameraClue> found_by;  ///< what told sensor, where the points do
+  bool sensor_at_origin = false;       ///< the same, of one that is there
+  std::optional<Cloud> moved;          ///< with a sensor: all points, in its frame
   Params params;
   DepthRange range;
   Cloud cloud;  ///< in the frame of the sensor, cut to the range

@@ -38,10 +38,12 @@ std::string sensorAdvice(const io::PointFile& file) {
 }
 
 std::string foundSensorText(const DetectInput& input) {
-  if (!input.found_sensor) return "";
-  const std::string what = input.cloud.organized()
-                               ? "an image that was moved to another frame; its rows and columns tell"
-                               : "a list that was moved to another frame; their order tells";
+  if (!input.found_by) return "";
+  const std::string what =
+      *input.found_by == CameraClue::image   ? "an image that was moved to another frame; its rows and columns tell"
+      : *input.found_by == CameraClue::order ? "a list that was moved to another frame; their order tells"
+                                             : "a list that was moved to another frame; the shadows of things on a "
+                                               "plane tell, to some centimetres,";
   return "  note: the points are " + what + " where the camera was: --sensor \"" + io::sensorPoseText(*input.sensor) +
          "\" is used\n";
 }
@@ -55,12 +57,12 @@ std::string otherFrameText(const Detections& found, const DetectInput& input) {
   } else if (found.seen_from_origin) {
     return "";
   }
-  if (input.sensor && !input.found_sensor) {
+  if (input.sensor && !input.found_by) {
     return "  note: " + what +
            "; is --sensor the pose of the camera's optical frame (z ahead, x right, y down) in the frame of the "
            "file?\n";
   }
-  if (input.found_sensor) return "  note: " + what + "; are some of them those of another camera?\n";
+  if (input.found_by) return "  note: " + what + "; are some of them those of another camera?\n";
   return "  note: " + what +
          ", which is taken to be at the origin and to look along z; is the cloud in the frame of the camera? " +
          sensorAdvice(input.file) + "\n";

@@ -17,10 +17,15 @@
 #include "primitect/moved_image.h"
 #include "synthetic/clutter.h"
 #include "synthetic/poses.h"
+#include "test/support/point_lists.h"
 #include "test/support/rendered_cloud.h"
 
 namespace primitect::moved_list_test {
 namespace {
+
+using test::averaged;
+using test::pointsOf;
+using test::shuffled;
 
 const Eigen::Isometry3d kRobotFromCamera = synthetic::robotFromCamera(1.3, 0.6);
 
@@ -28,34 +33,15 @@ Cloud table(std::uint64_t seed) {
   return test::renderedCloud(synthetic::clutteredTable(seed), {}, seed, synthetic::clutterPose(seed));
 }
 
-std::vector<Vec3> pointsOf(const Cloud& image) {
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < image.size(); ++i) {
-    if (image.valid(i)) points.push_back(image.point(i));
-  }
-  return points;
-}
-
+/// In the frame of a robot, unless another is given.
 Cloud listOf(const std::vector<Vec3>& points, const Eigen::Isometry3d& frame_from_camera = kRobotFromCamera) {
-  Cloud list;
-  list.reset(static_cast<std::uint32_t>(points.size()), 1, false);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f p = (frame_from_camera * points[i]).cast<float>();
-    list.setPoint(i, p.x(), p.y(), p.z(), {});
-  }
-  return list;
+  return test::listOf(points, frame_from_camera);
 }
 
 std::vector<Vec3> those(const std::vector<Vec3>& points, const std::function<bool(const Vec3&)>& stay) {
   std::vector<Vec3> left;
   std::copy_if(points.begin(), points.end(), std::back_inserter(left), stay);
   return left;
-}
-
-std::vector<Vec3> shuffled(std::vector<Vec3> points, std::uint64_t seed) {
-  Random random(seed);
-  for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
-  return points;
 }
 
 void expectFound(const std::vector<Vec3>& points, const Eigen::Isometry3d& pose, const std::string& what) {
@@ -152,28 +138,6 @@ TEST(FindCameraOfAList, WherePointsAreMissingInTheList) {
   EXPECT_LT((found->translation() - kRobotFromCamera.translation()).norm(), 0.002);
 }
 
-/// Means of the points in cubes, in the order of these.
-std::vector<Vec3> averaged(const std::vector<Vec3>& points, double side) {
-  struct Sum {
-    long place;
-    Vec3 sum;
-    double count;
-  };
-  std::vector<Sum> sums;
-  for (const Vec3& p : points) {
-    const Eigen::Vector3i cube = (p / side).array().floor().cast<int>();
-    sums.push_back({(cube.z() * 4096L + cube.y()) * 4096L + cube.x(), p, 1.0});
-  }
-  std::sort(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) { return a.place < b.place; });
-  std::vector<Vec3> means;
-  for (std::size_t i = 0; i < sums.size();) {
-    Sum mean = sums[i];
-    for (++i; i < sums.size() && sums[i].place == mean.place; ++i) mean.sum += sums[i].sum, mean.count += 1.0;
-    means.push_back(mean.sum / mean.count);
-  }
-  return means;
-}
-
 TEST(FindCameraOfAList, NotWithoutTheOrderOfTheImage) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const std::vector<Vec3> points = pointsOf(table(seed));
@@ -238,7 +202,8 @@ TEST(SearchForCameraOfAList, FindsItWhereItsOrderTells) {
   EXPECT_FALSE(of_camera->cloud_from_camera);
   EXPECT_FALSE(moved->at_origin);
   EXPECT_TRUE(moved->cloud_from_camera);
-  const auto none = searchForCameraInCut(listOf(shuffled(points, 1)));
+  EXPECT_EQ(moved->clue, CameraClue::order);
+  const auto none = searchForCameraInCut(listOf(shuffled(points, 1), Eigen::Isometry3d::Identity()));
   ASSERT_TRUE(none);
   EXPECT_FALSE(none->at_origin);
   EXPECT_FALSE(none->cloud_from_camera);

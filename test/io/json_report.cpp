@@ -92,8 +92,13 @@ TEST(JsonReport, SaysWhereTheSensorWasAndHowThatIsKnown) {
   EXPECT_EQ(given["position"], kPoint);
   EXPECT_EQ(given["orientation"], Json({0.5, -0.5, 0.5, 0.5})) << "x y z w";
   EXPECT_EQ(given["from"], "option");
-  report.found_sensor = true;
-  EXPECT_EQ(test::parsedJson(reportJson(report))["sensor"]["from"], "image");
+  const auto fromOf = [&report](CameraClue clue) {
+    report.found_by = clue;
+    return test::parsedJson(reportJson(report))["sensor"]["from"];
+  };
+  EXPECT_EQ(fromOf(CameraClue::image), "image");
+  EXPECT_EQ(fromOf(CameraClue::order), "order");
+  EXPECT_EQ(fromOf(CameraClue::shadows), "shadows");
 }
 
 TEST(JsonReport, LeavesUnknownFieldsNull) {
