@@ -210,9 +210,11 @@ void Shadows::findHoles(const std::vector<std::uint8_t>& seen) {
   for (int row = 1; row + 1 < rows_; ++row) {
     for (int column = 1; column + 1 < columns_; ++column) {
       const std::size_t c = at(column, row);
-      const int around = seen[c - 1] + seen[c + 1] + seen[c - columns_] + seen[c + columns_];
       if (!along_row[row].holds(column) || !along_column[column].holds(row)) continue;
-      cells_[c] = seen[c] && around == 4 ? kSeen : !seen[c] && around <= 2 ? kHole : kEither;
+      bool inside = true;
+      for (const std::size_t begin : {c - columns_ - 1, c - 1, c + columns_ - 1})
+        inside = inside && seen[begin] && seen[begin + 1] && seen[begin + 2];
+      cells_[c] = inside ? kSeen : seen[c] ? kEither : kHole;
       holes_ += cells_[c] == kHole ? 1 : 0;
     }
   }
@@ -360,7 +362,7 @@ std::optional<Eigen::Isometry3d> findCameraByShadows(const Cloud& list) {
   constexpr std::size_t kFewest = 500;
   constexpr std::size_t kRoughly = 700, kBetter = 1200, kWell = 4096, kAll = kMostStanding;  // points
   constexpr std::size_t kTaken = 4;
-  constexpr float kMostMisfit = 0.2f, kAsGood = 0.15f;
+  constexpr float kMostMisfit = 0.25f, kAsGood = 0.15f;
   constexpr float kFarthest = 2.6f;     // m
   constexpr double kMostHidden = 0.03;  // behind edges, which noise and lenses blur
   const std::vector<Point> points = pointsOf(list);

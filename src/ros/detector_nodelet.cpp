@@ -19,6 +19,18 @@ namespace {
 
 using Lock = boost::recursive_mutex::scoped_lock;
 
+const char* clueText(CameraClue clue) {
+  switch (clue) {
+    case CameraClue::image:
+      return "their rows and columns tell";
+    case CameraClue::order:
+      return "their order tells";
+    case CameraClue::shadows:
+      return "the shadows of things on a plane tell, to some centimetres,";
+  }
+  return "";
+}
+
 }  // namespace
 
 DetectorNodelet::~DetectorNodelet() { stop(); }
@@ -171,18 +183,6 @@ void DetectorNodelet::warnIfNotSeenFromOrigin() {
                                             : "is sensor_frame the camera's optical frame, and the transform right?";
   NODELET_WARN_STREAM(getName() << ": clouds on " << input_.getTopic() << " are not seen from the origin of frame '"
                                 << sequence_->sensorHeader().frame_id << "' along z: " << advice);
-}
-
-const char* clueText(CameraClue clue) {
-  switch (clue) {
-    case CameraClue::image:
-      return "their rows and columns tell";
-    case CameraClue::order:
-      return "their order tells";
-    case CameraClue::shadows:
-      return "the shadows of things on a plane tell, to some centimetres,";
-  }
-  return "";
 }
 
 void DetectorNodelet::tellFoundCamera() {
