@@ -166,6 +166,16 @@ std::ptrdiff_t countElsewhere(const Vec3& camera, const std::vector<SeenPoint>& 
                        [&camera](const SeenPoint& each) { return (each.point - camera).norm() > kThere; });
 }
 
+std::optional<CameraSearch> searchInOrder(const Cloud& cloud) {
+  const std::optional<Eigen::Isometry3d> camera = findCamera(cloud);
+  if (!camera) return std::nullopt;
+  if (isAtOrigin(*camera, cloud)) return CameraSearch{true, std::nullopt};
+  return CameraSearch{false, camera, cloud.organized() ? CameraClue::image : CameraClue::order};
+}
+
+/// With normals it may be anything: what was scanned, a model, a map.
+bool mayHaveShadows(const Cloud& cloud) { return !cloud.organized() && !cloud.hasNormals(); }
+
 }  // namespace
 
 std::optional<Eigen::Isometry3d> findCamera(const Cloud& cloud) {
@@ -215,13 +225,8 @@ bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) 
 }
 
 CameraSearch searchForCamera(const Cloud& whole) {
-  if (const std::optional<Eigen::Isometry3d> camera = findCamera(whole)) {
-    if (isAtOrigin(*camera, whole)) return {true, std::nullopt};
-    return {false, camera, whole.organized() ? CameraClue::image : CameraClue::order};
-  }
-  // With normals it may be anything: what was scanned, a model, a map.
-  if (whole.organized() || whole.hasNormals()) return {};
-  return {false, findCameraByShadows(whole), CameraClue::shadows};
+  if (const std::optional<CameraSearch> found = searchInOrder(whole)) return *found;
+  return mayHaveShadows(whole) ? CameraSearch{false, findCameraByShadows(whole), CameraClue::shadows} : CameraSearch();
 }
 
 std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut) {
@@ -230,8 +235,10 @@ std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut) {
     const bool at_origin = !cut.liesBehind() && findRays(cut).known;
     return at_origin ? std::optional(CameraSearch{true, std::nullopt}) : std::nullopt;
   }
-  const bool enough = cut.valid_count >= kLeft * static_cast<double>(cut.size());
-  return enough ? std::optional(searchForCamera(cut)) : std::nullopt;
+  if (cut.valid_count < kLeft * static_cast<double>(cut.size())) return std::nullopt;
+  if (const std::optional<CameraSearch> found = searchInOrder(cut)) return found;
+  // The plane with the shadows may have been cut off.
+  return mayHaveShadows(cut) && !mayBeSeenFromOrigin(cut) ? std::nullopt : std::optional(CameraSearch());
 }
 
 }  // namespace primitect

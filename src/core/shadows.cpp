@@ -116,12 +116,18 @@ std::optional<Eigen::Isometry3d> findCameraAbove(const Ground& ground, const std
   return lookingAt(middle.cast<double>(), place.cast<double>(), ground.normal.cast<double>());
 }
 
+bool mayBeSeenFromOrigin(const std::vector<Point>& points) {
+  return hiddenShare(points, Point::Zero(), Point::UnitZ()) <= kMostHidden;
+}
+
 }  // namespace
+
+bool mayBeSeenFromOrigin(const Cloud& list) { return mayBeSeenFromOrigin(pointsOf(list)); }
 
 std::optional<Eigen::Isometry3d> findCameraByShadows(const Cloud& list) {
   constexpr std::size_t kFewest = 500;
   const std::vector<Point> points = pointsOf(list);
-  if (points.size() < kFewest || hiddenShare(points, Point::Zero(), Point::UnitZ()) <= kMostHidden) return std::nullopt;
+  if (points.size() < kFewest || mayBeSeenFromOrigin(points)) return std::nullopt;
   const std::optional<Ground> ground = findGround(points);
   if (!ground) return std::nullopt;
   // More of a floor may be seen beside a table than of what stands on it.

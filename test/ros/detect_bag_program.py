@@ -141,10 +141,11 @@ class DetectBag(unittest.TestCase):
         self.assertRegex(done.stdout, r"3 clouds on /points, 0 searched\. The first: 0 of 19200 points are measured")
 
     def test_warns_of_clouds_that_are_not_seen_from_the_origin(self):
-        points, width, height = wall_and_ball()
-        with rosbag.Bag(self.path("moved.bag"), "w") as bag:  # above the origin, in no order that could tell more
+        # Above the origin, in no order that could tell more; nor does the shadow, which another camera has seen.
+        points = wall_and_ball()[0] + wall_and_ball(radius=0.0)[0]
+        with rosbag.Bag(self.path("moved.bag"), "w") as bag:
             moved = sorted(((y, z - 1.0, 0.5 - x) for x, y, z in points), key=lambda p: hash(p))
-            bag.write("/points", cloud_message(moved, width * height, 1, stamp=rospy.Time(1000)), rospy.Time(1000))
+            bag.write("/points", cloud_message(moved, len(moved), 1, stamp=rospy.Time(1000)), rospy.Time(1000))
         done = self.run_program(self.path("moved.bag"), "--min_depth", "0")
         self.assertIn("1 of 1 clouds are not seen from the origin", done.stderr)
         self.assertEqual(self.run_program(self.bag).stderr, "")
