@@ -41,8 +41,10 @@ Polygon polygonOf(const std::vector<Vec3>& hull, const Extent& frame) {
   return polygon;
 }
 
-double outlineOverlap(const Extent& seen, const Extent& found) {
+/// Nothing where there is no outline, or one without an area.
+std::optional<double> outlineOverlap(const Extent& seen, const Extent& found) {
   const Polygon a = polygonOf(seen.hull, seen), b = polygonOf(found.hull, seen);
+  if (!(geometry::area(a) > 0.0 && geometry::area(b) > 0.0)) return std::nullopt;
   std::vector<Polygon> shared;
   geometry::intersection(a, b, shared);
   double area = 0.0;

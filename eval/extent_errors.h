@@ -10,7 +10,7 @@
 
 namespace primitect::eval {
 
-/// Kinds that have no such measure leave it empty.
+/// Kinds that have no such measure leave it empty, as do outlines without an area.
 struct ExtentErrors {
   /// Cylinder and cone: how far each end, at -z and at +z of the detection, lies beyond the last point seen of the true
   /// shape, along the true axis (m); negative: so much of it is missing.

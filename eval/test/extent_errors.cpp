@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Extents that were moved, turned and cut by known amounts; and those of simulated frames.
+// Extents that were moved, turned and cut by known amounts.
 #include "eval/extent_errors.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+
+#include "primitect/transforms.h"
 
 namespace extent_errors_test {
 namespace {
@@ -70,6 +73,36 @@ TEST(ExtentErrors, OfAPlaneAreTheShareOfBothOutlinesThatTheyHaveInCommon) {
   ASSERT_TRUE(errors.outline_overlap);
   EXPECT_NEAR(*errors.outline_overlap, 1.0 / 3.0, kTiny);
   EXPECT_FALSE(errors.beyond_ends);
+}
+
+TEST(ExtentErrors, DoNotDependOnTheFrame) {
+  const Plane plane{Vec3::Zero(), Vec3::UnitZ()};
+  Detections all;
+  all.items = {withExtent(kTube, onAxis(0.1, 0.3)), withExtent(kTube, onAxis(0.12, 0.31)),
+               withExtent(plane, square(Vec3::Zero(), 1.0)), withExtent(plane, square(Vec3(0.5, 0, 0), 1.0))};
+  transformDetections(Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()), all);
+  const auto errors = [&all](std::size_t k) {
+    return extentErrors(all.items[k].shape, all.items[k].extent, all.items[k + 1]);
+  };
+  EXPECT_NEAR((*errors(0).beyond_ends)[0], -0.02, kTiny);
+  EXPECT_NEAR((*errors(0).beyond_ends)[1], 0.01, kTiny);
+  EXPECT_NEAR(*errors(2).outline_overlap, 1.0 / 3.0, kTiny);
+}
+
+TEST(ExtentErrors, OfATiltedTubeAreTakenAlongTheTrueAxis) {
+  Extent tilted = onAxis(0.1, 0.3);
+  tilted.rotation = Eigen::AngleAxisd(M_PI / 3.0, Vec3::UnitX()).toRotationMatrix();  // half as high
+  const ExtentErrors errors = extentErrors(kTube, onAxis(0.1, 0.3), withExtent(kTube, tilted));
+  EXPECT_NEAR((*errors.beyond_ends)[0], -0.05, kTiny);
+  EXPECT_NEAR((*errors.beyond_ends)[1], -0.05, kTiny);
+}
+
+TEST(ExtentErrors, OfAPlaneWithoutAnOutlineAreNone) {
+  const Plane plane{Vec3::Zero(), Vec3::UnitZ()};
+  Extent line = square(Vec3::Zero(), 1.0);
+  line.hull.resize(2);
+  for (const Extent& none : {Extent(), line})
+    EXPECT_FALSE(extentErrors(plane, square(Vec3::Zero(), 1.0), withExtent(plane, none)).outline_overlap);
 }
 
 TEST(ExtentErrors, OfAPlaneDoNotDependOnTheOrderOfTheCorners) {

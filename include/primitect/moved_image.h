@@ -40,13 +40,14 @@ struct CameraSearch {
   CameraClue clue = CameraClue::image;                 ///< of one that is elsewhere
 };
 
-/// With findCamera(), of a cloud in which nothing was cut off; of a list without normals whose order tells nothing with
-/// findCameraByShadows() (core/shadows.h), to some centimetres.
+/// With findCamera(), of a cloud in which nothing was cut off; of a list without normals whose order tells nothing, and
+/// which was not seen from the origin, with findCameraByShadows() (core/shadows.h), to some centimetres.
 CameraSearch searchForCamera(const Cloud& whole);
 
 /// Of a cloud in which depths were cut along z, perhaps of the wrong frame. An image is not looked at further where it
 /// is what a pinhole camera at the origin sees along z, by its rows and columns; of a list findCamera() looks at what
-/// the cut left, if it left half. Nothing: the cloud must be looked at with nothing cut off.
+/// the cut left, if it left half, and shadows where it left all. Nothing: the cloud must be looked at with nothing cut
+/// off.
 std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut);
 
 }  // namespace primitect

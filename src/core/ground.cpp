@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/random.h"
 
@@ -39,35 +40,54 @@ void refit(const std::vector<Point>& points, Ground& ground) {
   ground.offset = ground.normal.dot(mean);
 }
 
-}  // namespace
-
-std::optional<Ground> findGround(const std::vector<Point>& points) {
-  constexpr int kTries = 200, kSome = 1000;
-  constexpr double kLeastShare = 0.33;
-  if (points.empty()) return std::nullopt;
-  Random random(1);
-  std::vector<Point> some;
-  for (int k = 0; k < kSome; ++k) some.push_back(points[random.below(points.size())]);
+/// The plane through three of the points that is near most of them.
+std::optional<Ground> throughMost(const std::vector<Point>& points, Random& random) {
+  constexpr int kTries = 200;
+  constexpr float kLeastArea = 1e-6f;  // m^2, of the parallelogram between three points
   std::optional<Ground> best;
   std::size_t most = 0;
   for (int k = 0; k < kTries; ++k) {
-    const Point a = some[random.below(kSome)], b = some[random.below(kSome)], c = some[random.below(kSome)];
+    const Point a = points[random.below(points.size())], b = points[random.below(points.size())],
+                c = points[random.below(points.size())];
     const Point across = (b - a).cross(c - a);
-    if (!(across.norm() > 1e-6f)) continue;
+    if (!(across.norm() > kLeastArea)) continue;
     const Point normal = across.normalized();
     const Ground ground{normal, normal.dot(a)};
-    const std::size_t count = countNear(ground, some);
+    const std::size_t count = countNear(ground, points);
     if (count > most) most = count, best = ground;
   }
-  if (static_cast<double>(most) < kLeastShare * kSome) return std::nullopt;
-  for (int k = 0; k < 2; ++k) refit(some, *best);
+  return best;
+}
+
+Ground withMostAbove(const Ground& ground, const std::vector<Point>& points) {
   std::size_t above = 0, below = 0;
-  for (const Point& point : some) {
-    const float height = best->height(point);
+  for (const Point& point : points) {
+    const float height = ground.height(point);
     above += height > kAboveGround ? 1 : 0;
     below += height < -kAboveGround ? 1 : 0;
   }
-  return below > above ? best->turnedRound() : *best;
+  return below > above ? ground.turnedRound() : ground;
+}
+
+}  // namespace
+
+std::vector<Ground> findGrounds(const std::vector<Point>& points) {
+  constexpr std::size_t kMost = 2, kSome = 1000, kFewest = kSome / 5;
+  std::vector<Ground> grounds;
+  if (points.empty()) return grounds;
+  Random random(1);
+  std::vector<Point> some;
+  for (std::size_t k = 0; k < kSome; ++k) some.push_back(points[random.below(points.size())]);
+  std::vector<Point> left = some;
+  while (grounds.size() < kMost && left.size() >= kFewest) {
+    std::optional<Ground> ground = throughMost(left, random);
+    if (!ground || countNear(*ground, left) < kFewest) break;
+    for (int k = 0; k < 2; ++k) refit(left, *ground);
+    grounds.push_back(withMostAbove(*ground, some));
+    const auto isNear = [&ground](const Point& point) { return std::abs(ground->height(point)) < kNearGround; };
+    left.erase(std::remove_if(left.begin(), left.end(), isNear), left.end());
+  }
+  return grounds;
 }
 
 }  // namespace primitect

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The plane that most of a cloud's points lie in: a table, a floor.
+// The planes that most of a cloud's points lie in: a table, a floor, a wall.
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 namespace primitect {
 
+/// Noise of a depth camera within 2 m; of one that is noisier no plane holds enough points.
 constexpr float kNearGround = 0.012f;   ///< m; points within are the plane's
 constexpr float kAboveGround = 0.024f;  ///< m; points beyond stand on it
 
@@ -20,9 +20,8 @@ struct Ground {
   Ground turnedRound() const { return {-normal, -offset}; }
 };
 
-/// The plane near which most of the points lie (RANSAC, Fischler and Bolles 1981), with its normal to the side on which
-/// more of the others are. Nothing where it would be fewer than a third of the points, or there are none. The same
-/// points, the same plane.
-std::optional<Ground> findGround(const std::vector<Eigen::Vector3f>& points);
+/// The one or two planes near which most of the points lie, a fifth of all at least (RANSAC, Fischler and Bolles 1981),
+/// with their normals to the side on which more of the others are. The same points, the same planes.
+std::vector<Ground> findGrounds(const std::vector<Eigen::Vector3f>& points);
 
 }  // namespace primitect

@@ -8,58 +8,76 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace primitect {
 namespace {
 
 using Point = Eigen::Vector3f;
 
+constexpr float kNowhere = std::numeric_limits<float>::max();
+
 /// Where a point is seen (tangents), and how far away (m).
 struct Ray {
   float u, v, distance;
 };
 
-}  // namespace
-
-double hiddenShare(const std::vector<Point>& points, const Point& place, const Point& ahead) {
-  constexpr std::size_t kMostLooked = 32768, kMostPixels = 4'000'000;
+/// Of points no more than 60 deg aside.
+std::vector<Ray> raysTo(const std::vector<Point>& points, const Point& place, const Point& ahead) {
   constexpr float kLeastCosine = 0.5f;
-  constexpr float kWide = 3.0f;   // pixels; times the distance of neighbours that fill a disc
-  constexpr float kSteep = 4.0f;  // how much farther a surface may be one pixel further, in pixels
-  constexpr float kFar = std::numeric_limits<float>::max();
-  std::vector<Ray> rays;
   const Point right = ahead.unitOrthogonal(), down = ahead.cross(right);
-  const std::size_t step = points.size() / kMostLooked + 1;
-  Ray low = {kFar, kFar, 0.0f}, high = {-kFar, -kFar, 0.0f};
-  Point sum = Point::Zero();
-  float square = 0.0f;
-  std::size_t looked = 0;
-  for (std::size_t k = 0; k < points.size(); k += step, ++looked) {
-    const Point way = points[k] - place;
+  std::vector<Ray> rays;
+  for (const Point& point : points) {
+    const Point way = point - place;
     const float depth = ahead.dot(way), distance = way.norm();
-    sum += way;
-    square += way.squaredNorm();
-    if (!(depth > kLeastCosine * distance)) continue;
-    rays.push_back({right.dot(way) / depth, down.dot(way) / depth, distance});
-    low.u = std::min(low.u, rays.back().u), low.v = std::min(low.v, rays.back().v);
-    high.u = std::max(high.u, rays.back().u), high.v = std::max(high.v, rays.back().v);
+    if (depth > kLeastCosine * distance) rays.push_back({right.dot(way) / depth, down.dot(way) / depth, distance});
   }
-  if (rays.empty()) return 1.0;
-  const auto count = static_cast<float>(looked);
-  const float away = sum.norm() / count, spread = std::sqrt(std::max(0.0f, square / count - away * away));
-  const float pixel = kWide * spread / std::sqrt(count) / away;
-  const float columns = (high.u - low.u) / pixel, rows = (high.v - low.v) / pixel;
-  if (!(columns * rows < static_cast<float>(kMostPixels))) return 1.0;
-  const auto width = static_cast<std::size_t>(columns) + 1;
-  std::vector<float> nearest(width * (static_cast<std::size_t>(rows) + 1), kFar);
-  const auto nearestOf = [&](const Ray& ray) -> float& {
+  return rays;
+}
+
+/// Tangents: three times the distance of neighbours that fill a disc as large as the spread of the points.
+float pixelSize(const std::vector<Point>& points, const Point& place) {
+  constexpr float kWide = 3.0f;
+  const auto count = static_cast<float>(points.size());
+  Point sum = Point::Zero();
+  for (const Point& point : points) sum += point;
+  const Point middle = sum / count;
+  float square = 0.0f;
+  for (const Point& point : points) square += (point - middle).squaredNorm();
+  return kWide * std::sqrt(square) / count / (middle - place).norm();
+}
+
+/// Of rays to points that others hide: nearer ones in the same pixel. Nothing where that would be too many pixels.
+std::optional<std::size_t> countHidden(const std::vector<Ray>& rays, float pixel) {
+  constexpr float kSteep = 4.0f;  // how much farther a surface may be one pixel further, in pixels
+  constexpr float kMostPixels = 4e6f;
+  Ray low = {kNowhere, kNowhere, 0.0f}, high = {-kNowhere, -kNowhere, 0.0f};
+  for (const Ray& ray : rays) {
+    low.u = std::min(low.u, ray.u), low.v = std::min(low.v, ray.v);
+    high.u = std::max(high.u, ray.u), high.v = std::max(high.v, ray.v);
+  }
+  const float columns = (high.u - low.u) / pixel + 1.0f, rows = (high.v - low.v) / pixel + 1.0f;
+  if (rays.empty() || !(columns * rows < kMostPixels)) return std::nullopt;
+  const auto width = static_cast<std::size_t>(columns);
+  std::vector<float> nearest(width * static_cast<std::size_t>(rows), kNowhere);
+  const auto nearestTo = [&](const Ray& ray) -> float& {
     return nearest[static_cast<std::size_t>((ray.v - low.v) / pixel) * width +
                    static_cast<std::size_t>((ray.u - low.u) / pixel)];
   };
-  for (const Ray& ray : rays) nearestOf(ray) = std::min(nearestOf(ray), ray.distance);
-  const auto hidden = [&](const Ray& ray) { return ray.distance > (1.0f + kSteep * pixel) * nearestOf(ray); };
-  const std::size_t aside = looked - rays.size();
-  return static_cast<double>(aside + std::count_if(rays.begin(), rays.end(), hidden)) / static_cast<double>(looked);
+  for (const Ray& ray : rays) nearestTo(ray) = std::min(nearestTo(ray), ray.distance);
+  const auto hidden = [&](const Ray& ray) { return ray.distance > (1.0f + kSteep * pixel) * nearestTo(ray); };
+  return std::count_if(rays.begin(), rays.end(), hidden);
+}
+
+}  // namespace
+
+double hiddenShare(const std::vector<Point>& points, const Point& place, const Point& ahead) {
+  constexpr std::size_t kMost = 32768;
+  std::vector<Point> some;
+  for (std::size_t k = 0; k < points.size(); k += points.size() / kMost + 1) some.push_back(points[k]);
+  const std::vector<Ray> rays = raysTo(some, place, ahead);
+  const std::optional<std::size_t> hidden = countHidden(rays, pixelSize(some, place));
+  return hidden ? static_cast<double>(some.size() - rays.size() + *hidden) / static_cast<double>(some.size()) : 1.0;
 }
 
 }  // namespace primitect

@@ -173,8 +173,10 @@ std::optional<CameraSearch> searchInOrder(const Cloud& cloud) {
   return CameraSearch{false, camera, cloud.organized() ? CameraClue::image : CameraClue::order};
 }
 
-/// With normals it may be anything: what was scanned, a model, a map.
-bool mayHaveShadows(const Cloud& cloud) { return !cloud.organized() && !cloud.hasNormals(); }
+CameraSearch searchInShadows(const Cloud& list) {
+  const std::optional<Eigen::Isometry3d> camera = findCameraByShadows(list);
+  return camera ? CameraSearch{false, camera, CameraClue::shadows} : CameraSearch();
+}
 
 }  // namespace
 
@@ -226,7 +228,7 @@ bool isAtOrigin(const Eigen::Isometry3d& cloud_from_camera, const Cloud& cloud) 
 
 CameraSearch searchForCamera(const Cloud& whole) {
   if (const std::optional<CameraSearch> found = searchInOrder(whole)) return *found;
-  return mayHaveShadows(whole) ? CameraSearch{false, findCameraByShadows(whole), CameraClue::shadows} : CameraSearch();
+  return mayTellByShadows(whole) ? searchInShadows(whole) : CameraSearch();
 }
 
 std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut) {
@@ -237,8 +239,9 @@ std::optional<CameraSearch> searchForCameraInCut(const Cloud& cut) {
   }
   if (cut.valid_count < kLeft * static_cast<double>(cut.size())) return std::nullopt;
   if (const std::optional<CameraSearch> found = searchInOrder(cut)) return found;
-  // The plane with the shadows may have been cut off.
-  return mayHaveShadows(cut) && !mayBeSeenFromOrigin(cut) ? std::nullopt : std::optional(CameraSearch());
+  if (!mayTellByShadows(cut)) return CameraSearch();
+  // The plane that they fall on may have been cut off.
+  return cut.valid_count == cut.size() ? std::optional(searchInShadows(cut)) : std::nullopt;
 }
 
 }  // namespace primitect

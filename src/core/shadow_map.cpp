@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 
 namespace primitect {
@@ -14,32 +15,58 @@ namespace {
 
 using Point = Eigen::Vector3f;
 
+Point meanOf(const std::vector<Point>& points) {
+  Point sum = Point::Zero();
+  for (const Point& point : points) sum += point;
+  return points.empty() ? sum : Point(sum / static_cast<float>(points.size()));
+}
+
+/// A floor may go on for a hundred metres, and a few points that chance to lie in the plane are anywhere.
+void leaveOutFarOnes(std::vector<Point>& near) {
+  constexpr float kReach = 3.0f;  // m
+  if (near.empty()) return;
+  Point middle = Point::Zero();
+  std::vector<float> along(near.size());
+  for (const int axis : {0, 1}) {
+    std::transform(near.begin(), near.end(), along.begin(), [axis](const Point& point) { return point[axis]; });
+    const auto half = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
+    std::nth_element(along.begin(), half, along.end());
+    middle[axis] = *half;
+  }
+  const auto isFar = [&middle](const Point& point) { return !((point - middle).norm() < kReach); };
+  near.erase(std::remove_if(near.begin(), near.end(), isFar), near.end());
+}
+
 }  // namespace
 
 ShadowMap::ShadowMap(const Ground& ground, const std::vector<Point>& points) : offset_(ground.offset) {
   axes_.row(2) = ground.normal;
   axes_.row(0) = ground.normal.unitOrthogonal();
   axes_.row(1) = ground.normal.cross(axes_.row(0).transpose());
-  std::vector<Point> near, above, standing;
+  std::vector<Point> near, above;
   for (const Point& point : points) {
     const Point moved = inFrameOfGround(point);
     if (std::abs(moved.z()) < kNearGround) near.push_back(moved);
     if (moved.z() > kAboveGround) above.push_back(moved);
   }
+  leaveOutFarOnes(near);
   if (near.empty()) return;
   draw(near);
+  keepSome(above);
+  middle_of_ground_ = meanOf(near), middle_of_standing_ = meanOf(standing_);
+}
+
+void ShadowMap::keepSome(const std::vector<Point>& above) {
+  std::vector<Point> standing;
   std::copy_if(above.begin(), above.end(), std::back_inserter(standing), [this](const Point& p) { return isOver(p); });
   const std::size_t step = standing.size() / kMostStanding + 1;
   for (std::size_t k = 0; k < standing.size(); k += step) standing_.push_back(standing[k]);
-  for (const Point& point : near) middle_of_ground_ += point / static_cast<float>(near.size());
-  for (const Point& point : standing_) middle_of_standing_ += point / static_cast<float>(standing_.size());
 }
 
 /// In cells so large that two points and more lie in those that are seen.
 void ShadowMap::draw(const std::vector<Point>& near) {
   constexpr float kSmallest = 0.01f, kLarger = 1.4f;  // m
   constexpr int kSizes = 5;
-  constexpr float kMostCells = 1e6f;
   Point low = near.front(), high = near.front();
   for (const Point& point : near) low = low.cwiseMin(point), high = high.cwiseMax(point);
   left_ = low.x(), bottom_ = low.y();
@@ -48,7 +75,6 @@ void ShadowMap::draw(const std::vector<Point>& near) {
   for (int k = 0; k < kSizes; ++k, cell *= kLarger) {
     per_cell_ = 1.0f / cell;
     const float wide = (high.x() - left_) * per_cell_, deep = (high.y() - bottom_) * per_cell_;
-    if (!((wide + 1.0f) * (deep + 1.0f) < kMostCells)) continue;
     columns_ = static_cast<int>(wide) + 1;
     rows_ = static_cast<int>(deep) + 1;
     seen.assign(static_cast<std::size_t>(columns_) * rows_, 0);

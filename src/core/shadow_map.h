@@ -31,6 +31,8 @@ class ShadowMap {
   /// about so many of the points that stand.
   float misfit(const Eigen::Vector3f& lamp, std::size_t points);
 
+  /// Of a place from the middle of the ground.
+  float distance(const Eigen::Vector3f& place) const { return (place - middle_of_ground_).norm(); }
   Eigen::Vector3f middleOfGround() const { return middle_of_ground_; }
   Eigen::Vector3f middleOfStanding() const { return middle_of_standing_; }
   Eigen::Vector3f inFrameOfGround(const Eigen::Vector3f& point) const {
@@ -50,6 +52,7 @@ class ShadowMap {
     return u >= 0.0f && v >= 0.0f && u < static_cast<float>(columns_) && v < static_cast<float>(rows_) &&
            cells_[at(static_cast<int>(u), static_cast<int>(v))] != kOutside;
   }
+  void keepSome(const std::vector<Eigen::Vector3f>& above);
   void draw(const std::vector<Eigen::Vector3f>& near);
   void findHoles(const std::vector<std::uint8_t>& seen);
   std::size_t at(int column, int row) const { return static_cast<std::size_t>(row) * columns_ + column; }

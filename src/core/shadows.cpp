@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/ground.h"
@@ -19,15 +20,25 @@ namespace {
 using Point = Eigen::Vector3f;
 
 constexpr double kMostHidden = 0.03;  // behind edges, which noise and lenses blur
+constexpr float kFarthest = 2.6f;     // m
 
-std::vector<Point> pointsOf(const Cloud& cloud) {
+/// Every so many, in a frame whose origin is among them: float would not do far from it.
+struct LocalPoints {
+  Vec3 origin = Vec3::Zero();  ///< in the frame of the cloud
   std::vector<Point> points;
-  points.reserve(cloud.valid_count);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.valid(i)) points.emplace_back(cloud.x[i], cloud.y[i], cloud.z[i]);
+
+  LocalPoints(const Cloud& cloud, std::size_t step) {
+    std::vector<std::size_t> taken;
+    for (std::size_t i = 0; i < cloud.size(); i += step) {
+      if (cloud.valid(i)) taken.push_back(i);
+    }
+    for (const std::size_t i : taken) origin += cloud.point(i) / static_cast<double>(taken.size());
+    points.reserve(taken.size());
+    for (const std::size_t i : taken) points.push_back((cloud.point(i) - origin).cast<float>());
   }
-  return points;
-}
+
+  Point originOfCloud() const { return (-origin).cast<float>(); }
+};
 
 struct Lamp {
   Point place;
@@ -35,14 +46,14 @@ struct Lamp {
   bool operator<(const Lamp& other) const { return misfit < other.misfit; }
 };
 
-/// Around what stands there, up to 2.5 m from it.
-std::vector<Lamp> manyLamps(ShadowMap& shadows, std::size_t points) {
+/// Around what stands there, up to 2.5 m from it; the best first. Of about so many of its points.
+std::vector<Lamp> manyLamps(ShadowMap& shadows, std::size_t point_count) {
   constexpr std::array<float, 8> kHeights = {0.25f, 0.35f, 0.5f, 0.7f, 0.95f, 1.3f, 1.8f, 2.4f};  // m
   constexpr std::array<float, 6> kAside = {0.3f, 0.6f, 0.9f, 1.2f, 1.6f, 2.1f};                   // m
   constexpr int kTurns = 20;
   const Point middle = shadows.middleOfStanding();
   std::vector<Lamp> lamps;
-  const auto add = [&](const Point& place) { lamps.push_back({place, shadows.misfit(place, points)}); };
+  const auto add = [&](const Point& place) { lamps.push_back({place, shadows.misfit(place, point_count)}); };
   for (const float height : kHeights) {
     add({middle.x(), middle.y(), height});
     for (const float aside : kAside) {
@@ -52,35 +63,40 @@ std::vector<Lamp> manyLamps(ShadowMap& shadows, std::size_t points) {
       }
     }
   }
-  std::sort(lamps.begin(), lamps.end());
+  std::stable_sort(lamps.begin(), lamps.end());
   return lamps;
 }
 
-/// To and fro and to the sides, as long as that helps, by steps that are shares of the distance.
-void improve(ShadowMap& shadows, std::size_t points, float step, float least_step, Lamp& lamp) {
-  lamp.misfit = shadows.misfit(lamp.place, points);
-  while (step > least_step) {
+/// Steps of a search, as shares of the distance: the first, and the one with which it ends.
+struct Steps {
+  float first, last;
+};
+
+/// To and fro, to the sides and slantwise, as long as that helps.
+Lamp improved(ShadowMap& shadows, std::size_t point_count, const Steps& steps, Point place) {
+  constexpr int kMostMoves = 40;
+  Lamp lamp = {place, shadows.misfit(place, point_count)};
+  float step = steps.first;
+  for (int move = 0; move < kMostMoves && step > steps.last; ++move) {
     const Point away = lamp.place - shadows.middleOfGround();
     const float size = step * away.norm();
     const Point ahead = away.normalized(), aside = ahead.unitOrthogonal(), up = ahead.cross(aside);
     Lamp best = lamp;
     for (int k = 0; k < 27; ++k) {
       const Point way(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 % 3 - 1), static_cast<float>(k / 9 - 1));
-      const Point place = lamp.place + size * (way.x() * 2.0f * ahead + way.y() * aside + way.z() * up);
-      const bool edge = way.cwiseAbs().sum() == 2.0f;
-      if (k == 13 || edge || !(place.z() > kAboveGround)) continue;
-      const float misfit = shadows.misfit(place, points);
+      place = lamp.place + size * (way.x() * 2.0f * ahead + way.y() * aside + way.z() * up);
+      const bool stays = k == 13, between_two = way.cwiseAbs().sum() == 2.0f;
+      if (stays || between_two || !(place.z() > kAboveGround) || shadows.distance(place) > kFarthest) continue;
+      const float misfit = shadows.misfit(place, point_count);
       if (misfit < best.misfit) best = {place, misfit};
     }
-    if (best.misfit < lamp.misfit) {
-      lamp = best;
-    } else {
-      step *= 0.5f;
-    }
+    if (!(best.misfit < lamp.misfit)) step *= 0.5f;
+    lamp = best;
   }
+  return lamp;
 }
 
-/// z to the point, y down.
+/// z to the point, y down, if that is not where it looks.
 Eigen::Isometry3d lookingAt(const Vec3& point, const Vec3& from, const Vec3& up) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   const Vec3 ahead = (point - from).normalized();
@@ -93,46 +109,49 @@ Eigen::Isometry3d lookingAt(const Vec3& point, const Vec3& from, const Vec3& up)
   return pose;
 }
 
-/// Whose shadows are the holes of the ground.
-std::optional<Eigen::Isometry3d> findCameraAbove(const Ground& ground, const std::vector<Point>& points) {
+/// Whose shadows are the holes of the ground, in the frame of the points.
+std::optional<Eigen::Isometry3d> findCameraAbove(const Ground& ground, const LocalPoints& local) {
   constexpr std::size_t kRoughly = 700, kBetter = 1200, kWell = 4096, kAll = ShadowMap::kMostStanding;  // points
   constexpr std::size_t kTaken = 4;
-  constexpr float kMostMisfit = 0.35f, kAsGood = 0.15f;
-  constexpr float kFarthest = 2.6f;  // m
-  ShadowMap shadows(ground, points);
+  constexpr float kMostMisfit = 0.35f, kAsGood = 0.15f, kBetterThanFromAbove = 0.1f;
+  constexpr float kHigh = 100.0f;  // m
+  ShadowMap shadows(ground, local.points);
   if (!shadows.isWorthASearch()) return std::nullopt;
-  std::vector<Lamp> lamps = manyLamps(shadows, kRoughly);
-  lamps.resize(kTaken);
-  for (Lamp& lamp : lamps) improve(shadows, kBetter, 0.1f, 0.02f, lamp);
-  Lamp best = *std::min_element(lamps.begin(), lamps.end());
-  improve(shadows, kWell, 0.03f, 0.004f, best);
-  improve(shadows, kAll, 0.01f, 0.006f, best);
-  const Point origin = shadows.inFrameOfGround(Point::Zero());
-  const bool origin_is_as_good = origin.z() > kAboveGround && shadows.misfit(origin, kAll) < best.misfit + kAsGood;
-  if (!(best.misfit < kMostMisfit) || origin_is_as_good) return std::nullopt;
+  Lamp best = {Point::Zero(), std::numeric_limits<float>::max()};
+  const std::vector<Lamp> lamps = manyLamps(shadows, kRoughly);
+  for (std::size_t k = 0; k < kTaken; ++k)
+    best = std::min(best, improved(shadows, kBetter, {0.1f, 0.02f}, lamps[k].place));
+  best = improved(shadows, kWell, {0.03f, 0.004f}, best.place);
+  best = improved(shadows, kAll, {0.01f, 0.006f}, best.place);
+  const Point origin = shadows.inFrameOfGround(local.originOfCloud());
+  const float of_origin = origin.z() > kAboveGround ? shadows.misfit(origin, kAll) : 1.0f;
+  if (of_origin < best.misfit + kAsGood) best = {origin, of_origin};
+  // What was seen from all sides has holes where things stand, and no others.
+  const float from_above = shadows.misfit(shadows.middleOfGround() + Point(0.0f, 0.0f, kHigh), kAll);
+  if (!(best.misfit < std::min(kMostMisfit, from_above - kBetterThanFromAbove))) return std::nullopt;
   const Point middle = shadows.inFrameOfCloud(shadows.middleOfGround()), place = shadows.inFrameOfCloud(best.place);
-  const Point way = middle - place;
-  if (!(way.norm() < kFarthest) || hiddenShare(points, place, way.normalized()) > kMostHidden) return std::nullopt;
+  if (hiddenShare(local.points, place, (middle - place).normalized()) > kMostHidden) return std::nullopt;
   return lookingAt(middle.cast<double>(), place.cast<double>(), ground.normal.cast<double>());
-}
-
-bool mayBeSeenFromOrigin(const std::vector<Point>& points) {
-  return hiddenShare(points, Point::Zero(), Point::UnitZ()) <= kMostHidden;
 }
 
 }  // namespace
 
-bool mayBeSeenFromOrigin(const Cloud& list) { return mayBeSeenFromOrigin(pointsOf(list)); }
+bool mayTellByShadows(const Cloud& list) {
+  constexpr std::size_t kFewest = 500, kMostLooked = 32768;
+  if (list.organized() || list.hasNormals() || list.valid_count < kFewest) return false;
+  const LocalPoints some(list, list.size() / kMostLooked + 1);
+  return hiddenShare(some.points, some.originOfCloud(), Point::UnitZ()) > kMostHidden;
+}
 
 std::optional<Eigen::Isometry3d> findCameraByShadows(const Cloud& list) {
-  constexpr std::size_t kFewest = 500;
-  const std::vector<Point> points = pointsOf(list);
-  if (points.size() < kFewest || mayBeSeenFromOrigin(points)) return std::nullopt;
-  const std::optional<Ground> ground = findGround(points);
-  if (!ground) return std::nullopt;
-  // More of a floor may be seen beside a table than of what stands on it.
-  const auto camera = findCameraAbove(*ground, points);
-  return camera ? camera : findCameraAbove(ground->turnedRound(), points);
+  const LocalPoints local(list, 1);
+  for (const Ground& ground : findGrounds(local.points)) {
+    std::optional<Eigen::Isometry3d> camera = findCameraAbove(ground, local);
+    // More of a floor may be seen beside a table than of what stands on it.
+    if (!camera) camera = findCameraAbove(ground.turnedRound(), local);
+    if (camera) return camera->pretranslate(local.origin);
+  }
+  return std::nullopt;
 }
 
 }  // namespace primitect

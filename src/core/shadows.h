@@ -10,16 +10,18 @@
 
 namespace primitect {
 
-/// Nearly all points are ahead along z, and none before another one: a camera at the origin may have seen them.
-bool mayBeSeenFromOrigin(const Cloud& list);
+/// It is a list of 500 points and more without normals (with them it may be anything: what was scanned, a model, a
+/// map), and no camera at the origin that looks along z has seen them all: it may be worth to look at shadows.
+bool mayTellByShadows(const Cloud& list);
 
-/// The camera's optical frame (z to the middle of the points, y down to the plane) in the frame of the points. Of a
-/// table or a floor it does not see what lies behind the things that stand there, seen from the camera: as a lamp it
-/// would cast their shadows. Of the places above the plane that most of the points lie in it is the one whose shadows
-/// are the holes that the plane has; to some centimetres, along the line of sight to a tenth of the distance.
+/// The camera's optical frame (z to the middle of the plane, y down to it) in the frame of the points. Of a table or a
+/// floor it does not see what lies behind the things that stand there, seen from the camera: as a lamp it would cast
+/// their shadows. Of the places up to 2.6 m from one of the two planes that most of the points lie in it is the one
+/// whose shadows are the holes that the plane has, or the origin, if that is about as good; to some centimetres, along
+/// the line of sight to a tenth of the distance, sometimes to a third.
 ///
-/// Nothing where a camera at the origin may have seen them, no plane holds a third of the points, little stands on it,
-/// no place makes its holes well, from there points would be hidden, or the origin makes the holes about as well.
+/// Nothing where no plane holds a fifth of the points, little stands on it, no place makes its holes well or all of
+/// them lie under things, as where cameras at all sides saw it, or where points would be hidden from there.
 std::optional<Eigen::Isometry3d> findCameraByShadows(const Cloud& list);
 
 }  // namespace primitect

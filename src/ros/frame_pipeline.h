@@ -22,7 +22,7 @@ namespace primitect::ros_layer {
 
 /// Of a cloud that comes without a transform.
 enum class CameraPlace {
-  from_image,  ///< at the origin, or where rows and columns of an image tell, or the order of a list
+  from_image,  ///< at the origin, or where the points tell (moved_image.h)
   said         ///< at the origin
 };
 
@@ -71,7 +71,7 @@ class FramePipeline {
   /// Of the last cloud, where its own points told that it is elsewhere; in its frame.
   const std::optional<Eigen::Isometry3d>& foundCamera() const { return camera_.cloud_from_camera; }
 
-  /// What told it.
+  /// What told it, where one was found.
   CameraClue cameraClue() const { return camera_.clue; }
 
   /// False: its points contradict that a sensor at the origin saw them. Empty: there were none that could tell.

@@ -17,7 +17,7 @@ void moveToSensor(const io::SensorPose& sensor, DetectInput& input) {
   input.cloud.move(sensor_from_points, input.range);
 }
 
-/// What a node does with an image, or a list of its points, that was moved to another frame.
+/// What a node does with a cloud that was moved to another frame.
 void moveToFoundCamera(DetectInput& input) {
   const std::optional<CameraSearch> in_cut = searchForCameraInCut(input.cloud);
   const CameraSearch found = in_cut ? *in_cut : searchForCamera(input.file.cloud);
@@ -37,6 +37,8 @@ DetectInput readInput(const DetectOptions& options, const std::string& path) {
   const Cloud& points = input.file.cloud;
   input.params = options.params.paramsFor(points.organized() || input.file.intrinsics, points.hasNormals());
   input.params.left_out = options.left_out;
+  // As the node, which does not even read them: they say nothing of where the camera was.
+  if (!input.params.use_cloud_normals) input.file.cloud.dropNormals();
   input.range = depthRangeOf(input.params);
   if (input.sensor) {
     moveToSensor(*input.sensor, input);
@@ -44,7 +46,6 @@ DetectInput readInput(const DetectOptions& options, const std::string& path) {
     io::cutAtDepth(points, input.range, input.cloud);
     moveToFoundCamera(input);
   }
-  if (!input.params.use_cloud_normals) input.cloud.dropNormals();
   return input;
 }
 

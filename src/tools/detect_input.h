@@ -17,7 +17,7 @@ namespace primitect::tools {
 /// A file's points as they are, and as the detector gets them.
 struct DetectInput {
   io::PointFile file;
-  /// Where the user says that the sensor was, or the image tells it; else it is at the origin.
+  /// Where the user says that the sensor was, or the points tell it; else it is at the origin.
   std::optional<io::SensorPose> sensor;
   std::optional<CameraClue> found_by;  ///< what told sensor, where the points do
   bool sensor_at_origin = false;       ///< the same, of one that is there

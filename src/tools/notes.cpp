@@ -77,8 +77,8 @@ std::string beyondText(const DetectInput& input) {
       100.0 * share, input.range.max);
 }
 
-/// Of points in no order nothing tells where the sensor was; images, and lists in their order, do. Normals of a file
-/// stay as they are.
+/// Of points in no order that may have been seen from the origin nothing tells where the sensor was; images, and lists
+/// in their order, do. Normals of a file stay as they are.
 std::string assumedOriginText(const Detections& found, const DetectInput& input) {
   const bool assumed = found.seen_from_origin && !input.sensor && !input.seen().liesBehind();
   if (!assumed || input.cloud.valid_count == 0 || input.cloud.organized() || input.cloud.hasNormals() ||

@@ -7,6 +7,7 @@
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -227,8 +228,11 @@ TEST(FramePipeline, SearchesAListWithoutOrderFromWhereShadowsTell) {
   EXPECT_LT((pipeline.foundCamera()->translation() - robot_from_camera.translation()).norm(), 0.25);
   ASSERT_GE(expected.primitives.size(), 4u);
   ASSERT_EQ(found.primitives.size(), expected.primitives.size());
-  for (std::size_t k = 0; k < expected.primitives.size(); ++k)
+  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
     EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
+    const auto &at = found.primitives[k].pose.pose.position, &before = expected.primitives[k].pose.pose.position;
+    EXPECT_LT(std::hypot(at.x - before.x, at.y - before.y, at.z - before.z), 0.015) << k;
+  }
   pipeline.process(shuffled(asList(tableIn(Eigen::Isometry3d::Identity()))));
   EXPECT_FALSE(pipeline.foundCamera());
   EXPECT_TRUE(pipeline.isListFromOrigin());
