@@ -155,6 +155,27 @@ TEST(FindCameraByShadows, NotOfLowBoxesThatWereScannedFromAllSides) {
   EXPECT_FALSE(findCameraByShadows(listOf(scan, Eigen::Isometry3d::Identity())));
 }
 
+/// Two fifths of what is seen were not measured, in squares as on a chessboard.
+TEST(FindCameraByShadows, NotWhereMostHolesAreNoShadows) {
+  std::vector<Vec3> points = table(2);
+  ASSERT_TRUE(findCameraByShadows(listOf(shuffled(points, 1), kRobotFromCamera)));
+  const auto is_lost = [](const Vec3& point) {
+    const double u = 16.0 * point.x() / point.z(), v = 16.0 * point.y() / point.z();
+    return std::lround(u) % 2 == 0 && std::abs(v - std::round(v)) < 0.4;
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), is_lost), points.end());
+  EXPECT_FALSE(findCameraByShadows(listOf(shuffled(points, 1), kRobotFromCamera)));
+}
+
+/// As another camera sees it under the table.
+TEST(FindCameraByShadows, NotWherePointsWouldBeHiddenFromThere) {
+  const std::vector<Vec3> points = table(2);
+  std::vector<Vec3> with_hidden = points;
+  for (std::size_t k = 0; k < points.size(); k += 10) with_hidden.push_back(1.3 * points[k]);
+  ASSERT_TRUE(findCameraByShadows(listOf(shuffled(points, 1), kRobotFromCamera)));
+  EXPECT_FALSE(findCameraByShadows(listOf(shuffled(with_hidden, 1), kRobotFromCamera)));
+}
+
 TEST(FindCameraByShadows, NotOfAPlaneWithNothingOnItNorOfAnEndlessOne) {
   std::vector<Vec3> bare, endless;
   for (int i = -90; i < 90; ++i) {
