@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program `detect` with points in another frame than the camera's.
 
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "detect_fixture.h"
 #include "io/point_files.h"
 #include "io/sensor_pose.h"
 #include "io/shape_json.h"
 #include "primitect/transforms.h"
+#include "synthetic/clutter.h"
 #include "test/support/png_files.h"
+#include "test/support/point_lists.h"
+#include "test/support/rendered_cloud.h"
 
 namespace detect_sensor_test {
 namespace {
@@ -144,6 +151,35 @@ TEST_F(DetectSensor, WithoutItTheOrderOfAListTellsIt) {
   // In the frame of its camera nothing has to be said.
   EXPECT_EQ(run(write("list.pcd", ballPcd(Eigen::Isometry3d::Identity(), kNoViewpoint, false, true))), 0);
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
+}
+
+/// A cluttered table as a voxel grid leaves it, in the frame of the robot.
+std::string tableInVoxels() {
+  namespace test = primitect::test;
+  const auto image =
+      test::renderedCloud(primitect::synthetic::clutteredTable(2), {}, 2, primitect::synthetic::clutterPose(2));
+  std::vector<Vec3> moved;
+  for (const Vec3& point : test::pointsOf(image)) moved.push_back(kRobotFromCamera * point);
+  const std::vector<Vec3> means = test::averaged(moved, 0.005);
+  std::ostringstream pcd;
+  pcd << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " << means.size()
+      << "\nHEIGHT 1\nVIEWPOINT " << kNoViewpoint << "\nPOINTS " << means.size() << "\nDATA ascii\n";
+  for (const Vec3& mean : means) pcd << mean.x() << " " << mean.y() << " " << mean.z() << "\n";
+  return pcd.str();
+}
+
+TEST_F(DetectSensor, WithoutItShadowsTellItOfAListInNoOrder) {
+  const std::string list = write("voxels.pcd", tableInVoxels());
+  EXPECT_EQ(run(list), 0);
+  EXPECT_NE(out.find("note: the points are a list that was moved to another frame; the shadows of things on a plane "
+                     "tell, to some centimetres, where the camera was: --sensor"),
+            std::string::npos)
+      << out;
+  const Json found = runOrdered(list);
+  EXPECT_EQ(found["sensor"]["from"], "shadows");
+  EXPECT_EQ(found["seen_from_origin"], true);
+  EXPECT_LT((vectorOf(found["sensor"]["position"]) - kRobotFromCamera.translation()).norm(), 0.25);
+  EXPECT_GE(found["primitives"].size(), 5u);
 }
 
 /// In the order of a PCD.
