@@ -96,6 +96,16 @@ Lamp improved(ShadowMap& shadows, std::size_t point_count, const Steps& steps, P
   return lamp;
 }
 
+/// From nearer and from twice as far away the shadows would fit worse. One small thing close to a wall hardly tells.
+bool tellsHowFar(ShadowMap& shadows, const Lamp& lamp) {
+  constexpr float kNearer = 0.7f, kFarther = 2.0f, kLeastWorse = 0.015f;
+  const Point middle = shadows.middleOfGround();
+  const auto worse = [&](float times) {
+    return shadows.misfit(middle + times * (lamp.place - middle), ShadowMap::kMostStanding) - lamp.misfit;
+  };
+  return worse(kNearer) > kLeastWorse && worse(kFarther) > kLeastWorse;
+}
+
 /// z to the point, y down, if that is not where it looks.
 Eigen::Isometry3d lookingAt(const Vec3& point, const Vec3& from, const Vec3& up) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -125,7 +135,11 @@ std::optional<Eigen::Isometry3d> findCameraAbove(const Ground& ground, const Loc
   best = improved(shadows, kAll, {0.01f, 0.006f}, best.place);
   const Point origin = shadows.inFrameOfGround(local.originOfCloud());
   const float of_origin = origin.z() > kAboveGround ? shadows.misfit(origin, kAll) : 1.0f;
-  if (of_origin < best.misfit + kAsGood) best = {origin, of_origin};
+  if (of_origin < best.misfit + kAsGood) {
+    best = {origin, of_origin};
+  } else if (!tellsHowFar(shadows, best)) {
+    return std::nullopt;
+  }
   // What was seen from all sides has holes where things stand, and no others.
   const float from_above = shadows.misfit(shadows.middleOfGround() + Point(0.0f, 0.0f, kHigh), kAll);
   if (!(best.misfit < std::min(kMostMisfit, from_above - kBetterThanFromAbove))) return std::nullopt;

@@ -20,8 +20,9 @@ bool mayTellByShadows(const Cloud& list);
 /// whose shadows are the holes that the plane has, or the origin, if that is about as good; to some centimetres, along
 /// the line of sight to a tenth of the distance, sometimes to a third.
 ///
-/// Nothing where no plane holds a fifth of the points, little stands on it, no place makes its holes well or all of
-/// them lie under things, as where cameras at all sides saw it, or where points would be hidden from there.
+/// Nothing where no plane holds a fifth of the points, little stands on it, or so low that it hardly tells how far it
+/// is, no place makes its holes well or all of them lie under things, as where cameras at all sides saw it, or where
+/// points would be hidden from there.
 std::optional<Eigen::Isometry3d> findCameraByShadows(const Cloud& list);
 
 }  // namespace primitect

@@ -126,6 +126,27 @@ TEST(FindCameraByShadows, OfATableBesideWhichMoreOfTheFloorIsSeen) {
   expectNear(findCameraByShadows(listOf(shuffled(points, 1), kRobotFromCamera)), kRobotFromCamera, "floor");
 }
 
+/// A ball in front of a wall that is 1.2 m ahead, as an ideal camera sees them.
+std::vector<Vec3> ballBeforeWall(double radius, double distance) {
+  const Vec3 center(0.05, 0.02, distance);
+  std::vector<Vec3> points;
+  for (int v = 0; v < 240; ++v) {
+    for (int u = 0; u < 320; ++u) {
+      const Vec3 ray((u - 159.5) / 262.5, (v - 119.5) / 262.5, 1.0);
+      const double along = ray.dot(center), square = ray.squaredNorm();
+      const double root = along * along - square * (center.squaredNorm() - radius * radius);
+      points.push_back((root > 0.0 ? (along - std::sqrt(root)) / square : 1.2) * ray);
+    }
+  }
+  return points;
+}
+
+TEST(FindCameraByShadows, OnlyWhereTheyTellHowFarItIs) {
+  expectNear(findCameraByShadows(listOf(shuffled(ballBeforeWall(0.1, 0.8), 1), kRobotFromCamera)), kRobotFromCamera,
+             "far from the wall");
+  EXPECT_FALSE(findCameraByShadows(listOf(shuffled(ballBeforeWall(0.05, 1.0), 1), kRobotFromCamera)));
+}
+
 TEST(FindCameraByShadows, NotOfSeveralCameras) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     std::vector<Vec3> all;
