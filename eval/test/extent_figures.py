@@ -46,7 +46,8 @@ def test_the_table_has_absolute_errors_where_ends_are_known_and_signed_ones_else
                                                    None]
 
 
-def test_clouds_without_extents_have_no_row():
+def test_what_was_cut_out_and_clouds_without_extents_have_no_row():
+    assert not extents.table([line(set="objects", detections=[plane(0.1)])]).rows
     assert not extents.table([line(detections=[{"kind": "plane", "verdict": "right", "confidence": 1.0}])]).rows
 
 
