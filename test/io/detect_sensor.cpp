@@ -153,8 +153,8 @@ TEST_F(DetectSensor, WithoutItTheOrderOfAListTellsIt) {
   EXPECT_EQ(out.find("note: "), std::string::npos) << out;
 }
 
-/// A cluttered table as a voxel grid leaves it, in the frame of the robot.
-std::string tableInVoxels() {
+/// A cluttered table as a voxel grid leaves it, in the frame of the robot; also with normals, all of them upwards.
+std::string tableInVoxels(bool with_normals = false) {
   namespace test = primitect::test;
   const auto image =
       test::renderedCloud(primitect::synthetic::clutteredTable(2), {}, 2, primitect::synthetic::clutterPose(2));
@@ -162,9 +162,12 @@ std::string tableInVoxels() {
   for (const Vec3& point : test::pointsOf(image)) moved.push_back(kRobotFromCamera * point);
   const std::vector<Vec3> means = test::averaged(moved, 0.005);
   std::ostringstream pcd;
-  pcd << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " << means.size()
-      << "\nHEIGHT 1\nVIEWPOINT " << kNoViewpoint << "\nPOINTS " << means.size() << "\nDATA ascii\n";
-  for (const Vec3& mean : means) pcd << mean.x() << " " << mean.y() << " " << mean.z() << "\n";
+  pcd << "VERSION 0.7\nFIELDS x y z" << (with_normals ? " normal_x normal_y normal_z" : "") << "\nSIZE 4 4 4"
+      << (with_normals ? " 4 4 4" : "") << "\nTYPE F F F" << (with_normals ? " F F F" : "") << "\nCOUNT 1 1 1"
+      << (with_normals ? " 1 1 1" : "") << "\nWIDTH " << means.size() << "\nHEIGHT 1\nVIEWPOINT " << kNoViewpoint
+      << "\nPOINTS " << means.size() << "\nDATA ascii\n";
+  for (const Vec3& mean : means)
+    pcd << mean.x() << " " << mean.y() << " " << mean.z() << (with_normals ? " 0 0 1" : "") << "\n";
   return pcd.str();
 }
 
@@ -180,6 +183,12 @@ TEST_F(DetectSensor, WithoutItShadowsTellItOfAListInNoOrder) {
   EXPECT_EQ(found["seen_from_origin"], true);
   EXPECT_LT((vectorOf(found["sensor"]["position"]) - kRobotFromCamera.translation()).norm(), 0.25);
   EXPECT_GE(found["primitives"].size(), 5u);
+}
+
+TEST_F(DetectSensor, WithoutItShadowsAreLookedAtWhereNormalsAreNotUsed) {
+  const std::string list = write("normals.pcd", tableInVoxels(true));
+  EXPECT_TRUE(runOrdered(list)["sensor"].is_null());
+  EXPECT_EQ(runOrdered(list + " --use_cloud_normals false")["sensor"]["from"], "shadows");
 }
 
 /// In the order of a PCD.
