@@ -45,7 +45,8 @@ std::string foundSensorText(const DetectInput& input) {
                                              : "a list that was moved to another frame; the shadows of things on a "
                                                "plane tell, to some centimetres,";
   return "  note: the points are " + what + " where the camera was: --sensor \"" + io::sensorPoseText(*input.sensor) +
-         "\" is used\n";
+         (*input.found_by == CameraClue::shadows ? "\" is used (docs/files.md, Points in another frame)\n"
+                                                 : "\" is used\n");
 }
 
 /// Clouds of robots and maps have their table or floor through the origin.
