@@ -67,14 +67,17 @@ void labelFaces(const Frame& frame, LabelledCloud& result) {
   }
 }
 
-constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
+Detections itemsIn(const View& view, const synthetic::Rendering& rendering, std::vector<int>& surface_of_item) {
+  constexpr std::uint32_t kFewestPixels = 20;  // fewer hardly have an extent, and are clutter
+  synthetic::TruthParams params;
+  params.min_pixels = kFewestPixels;
+  return truthOf(view.world, view.camera, view.world_from_camera, rendering, params, &surface_of_item);
+}
 
 /// What is seen of each surface of the world, without the noise, which would make it longer.
 std::vector<std::optional<Extent>> seenExtents(const View& view, const synthetic::Rendering& exact) {
-  synthetic::TruthParams params;
-  params.min_pixels = kFewestPixels;
   std::vector<int> surface_of_item;
-  const Detections items = truthOf(view.world, view.camera, view.world_from_camera, exact, params, &surface_of_item);
+  const Detections items = itemsIn(view, exact, surface_of_item);
   std::vector<std::optional<Extent>> extents(view.world.surfaces().size());
   for (std::size_t k = 0; k < items.items.size(); ++k) extents[surface_of_item[k]] = items.items[k].extent;
   return extents;
@@ -82,11 +85,8 @@ std::vector<std::optional<Extent>> seenExtents(const View& view, const synthetic
 
 /// The truth in order of its surfaces, also of those that need not be found; surfaces get its index as label.
 void labelSurfaces(const View& view, const Frame& frame, const synthetic::Rendering& exact, LabelledCloud& result) {
-  synthetic::TruthParams params;
-  params.min_pixels = kFewestPixels;
   std::vector<int> surface_of_item;
-  const synthetic::Rendering measured{frame.depth, frame.surface};
-  const Detections items = truthOf(view.world, view.camera, view.world_from_camera, measured, params, &surface_of_item);
+  const Detections items = itemsIn(view, {frame.depth, frame.surface}, surface_of_item);
   std::vector<int> label(view.world.surfaces().size(), kClutter);
   std::vector<std::uint32_t> pixels;  // of each true shape
   const std::vector<std::optional<Extent>> seen = seenExtents(view, exact);

@@ -4,7 +4,6 @@
 import numpy
 
 from report import trust
-from report.kinds import KINDS
 from report.tables import Table, cell
 
 MILLIMETRES = 1000.0
@@ -12,13 +11,11 @@ ON_FACES, SEEN, MAY_GO_ON = "on faces", "seen", "may go on"  # what a detection 
 WHOLE, TRUNCATED = "whole", "truncated"
 
 
-def ends(lines, kinds=KINDS):
+def ends(lines):
     """How far ends lie beyond what is seen (mm), by what the detections say of them: {ON_FACES: [mm], ...}."""
     result = {ON_FACES: [], SEEN: [], MAY_GO_ON: []}
     for found in trust.detections(lines):
         extent = found.get("extent", {})
-        if found["kind"] not in kinds:
-            continue
         for k, beyond in enumerate(extent.get("beyond_ends", ())):
             said = ON_FACES if extent["on_faces"] >> k & 1 else MAY_GO_ON if extent["unseen_ends"] >> k & 1 else SEEN
             result[said].append(MILLIMETRES * beyond)

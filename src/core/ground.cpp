@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/random.h"
@@ -17,23 +16,21 @@ namespace {
 using Point = Eigen::Vector3f;
 
 std::size_t countNear(const Ground& ground, const std::vector<Point>& points) {
-  return std::count_if(points.begin(), points.end(),
-                       [&](const Point& point) { return std::abs(ground.height(point)) < kNearGround; });
+  return std::count_if(points.begin(), points.end(), [&](const Point& point) { return ground.isNear(point); });
 }
 
 /// Least squares to the points near it.
 void refit(const std::vector<Point>& points, Ground& ground) {
   Point sum = Point::Zero();
   float count = 0.0f;
-  const auto isNear = [&ground](const Point& point) { return std::abs(ground.height(point)) < kNearGround; };
   for (const Point& point : points) {
-    if (isNear(point)) sum += point, count += 1.0f;
+    if (ground.isNear(point)) sum += point, count += 1.0f;
   }
   if (!(count > 0.0f)) return;
   const Point mean = sum / count;
   Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
   for (const Point& point : points) {
-    if (isNear(point)) spread += (point - mean) * (point - mean).transpose();
+    if (ground.isNear(point)) spread += (point - mean) * (point - mean).transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> eigen(spread);
   ground.normal = eigen.eigenvectors().col(0);
@@ -84,7 +81,7 @@ std::vector<Ground> findGrounds(const std::vector<Point>& points) {
     if (!ground || countNear(*ground, left) < kFewest) break;
     for (int k = 0; k < 2; ++k) refit(left, *ground);
     grounds.push_back(withMostAbove(*ground, some));
-    const auto isNear = [&ground](const Point& point) { return std::abs(ground->height(point)) < kNearGround; };
+    const auto isNear = [&ground](const Point& point) { return ground->isNear(point); };
     left.erase(std::remove_if(left.begin(), left.end(), isNear), left.end());
   }
   return grounds;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 namespace primitect {
@@ -17,6 +18,7 @@ struct Ground {
   Eigen::Vector3f normal;
   float offset;
   float height(const Eigen::Vector3f& point) const { return normal.dot(point) - offset; }
+  bool isNear(const Eigen::Vector3f& point) const { return std::abs(height(point)) < kNearGround; }
   Ground turnedRound() const { return {-normal, -offset}; }
 };
 

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "core/lower_quartile.h"
+
 namespace primitect {
 namespace {
 
@@ -26,12 +28,10 @@ void leaveOutFarOnes(std::vector<Point>& near) {
   constexpr float kReach = 3.0f;  // m
   if (near.empty()) return;
   Point middle = Point::Zero();
-  std::vector<float> along(near.size());
+  List<double> along(near.size());
   for (const int axis : {0, 1}) {
     std::transform(near.begin(), near.end(), along.begin(), [axis](const Point& point) { return point[axis]; });
-    const auto half = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
-    std::nth_element(along.begin(), half, along.end());
-    middle[axis] = *half;
+    middle[axis] = static_cast<float>(median(along));
   }
   const auto isFar = [&middle](const Point& point) { return !((point - middle).norm() < kReach); };
   near.erase(std::remove_if(near.begin(), near.end(), isFar), near.end());
@@ -121,11 +121,11 @@ void ShadowMap::findHoles(const std::vector<std::uint8_t>& seen) {
   }
 }
 
-float ShadowMap::misfit(const Point& lamp, std::size_t points) {
+float ShadowMap::misfit(const Point& lamp, std::size_t point_count) {
   static constexpr std::array<int, kStates + 1> kMoreWrong = {0, 1, -1, 0};  // with a shadow on it, by state
   ++lamp_;
   int wrong = holes_;
-  const std::size_t step = standing_.size() / points + 1;
+  const std::size_t step = standing_.size() / point_count + 1;
   for (std::size_t k = 0; k < standing_.size(); k += step) {
     const Point& point = standing_[k];
     const float above = lamp.z() - point.z();

@@ -29,7 +29,7 @@ class ShadowMap {
 
   /// What is wrong with a lamp there: holes that are lit, and cells in the shadow that are seen, over the holes. Of
   /// about so many of the points that stand.
-  float misfit(const Eigen::Vector3f& lamp, std::size_t points);
+  float misfit(const Eigen::Vector3f& lamp, std::size_t point_count);
 
   /// Of a place from the middle of the ground.
   float distance(const Eigen::Vector3f& place) const { return (place - middle_of_ground_).norm(); }

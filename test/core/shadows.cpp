@@ -15,6 +15,7 @@
 #include "primitect/moved_image.h"
 #include "synthetic/clutter.h"
 #include "synthetic/poses.h"
+#include "test/support/ball_and_wall.h"
 #include "test/support/point_lists.h"
 #include "test/support/rendered_cloud.h"
 
@@ -126,25 +127,12 @@ TEST(FindCameraByShadows, OfATableBesideWhichMoreOfTheFloorIsSeen) {
   expectNear(findCameraByShadows(listOf(shuffled(points, 1), kRobotFromCamera)), kRobotFromCamera, "floor");
 }
 
-/// A ball in front of a wall that is 1.2 m ahead, as an ideal camera sees them.
-std::vector<Vec3> ballBeforeWall(double radius, double distance) {
-  const Vec3 center(0.05, 0.02, distance);
-  std::vector<Vec3> points;
-  for (int v = 0; v < 240; ++v) {
-    for (int u = 0; u < 320; ++u) {
-      const Vec3 ray((u - 159.5) / 262.5, (v - 119.5) / 262.5, 1.0);
-      const double along = ray.dot(center), square = ray.squaredNorm();
-      const double root = along * along - square * (center.squaredNorm() - radius * radius);
-      points.push_back((root > 0.0 ? (along - std::sqrt(root)) / square : 1.2) * ray);
-    }
-  }
-  return points;
-}
-
 TEST(FindCameraByShadows, OnlyWhereTheyTellHowFarItIs) {
-  expectNear(findCameraByShadows(listOf(shuffled(ballBeforeWall(0.1, 0.8), 1), kRobotFromCamera)), kRobotFromCamera,
-             "far from the wall");
-  EXPECT_FALSE(findCameraByShadows(listOf(shuffled(ballBeforeWall(0.05, 1.0), 1), kRobotFromCamera)));
+  const auto listWith = [](const Sphere& ball) {
+    return listOf(shuffled(pointsOf(test::BallAndWall{2, 1.2, ball}.image(1)), 1), kRobotFromCamera);
+  };
+  expectNear(findCameraByShadows(listWith({Vec3(0.05, 0.02, 0.8), 0.1})), kRobotFromCamera, "far from the wall");
+  EXPECT_FALSE(findCameraByShadows(listWith({Vec3(0.05, 0.02, 1.0), 0.05})));
 }
 
 TEST(FindCameraByShadows, NotOfSeveralCameras) {

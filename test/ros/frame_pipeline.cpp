@@ -164,6 +164,22 @@ PointCloud2 tableIn(const Eigen::Isometry3d& frame_from_camera) {
   return message;
 }
 
+/// What was expected in the frame of its cloud, where that frame is in the other one; places to so many metres.
+void expectSame(const PrimitiveArray& found, const PrimitiveArray& expected,
+                const Eigen::Isometry3d& found_from_expected, double most_apart) {
+  ASSERT_GE(expected.primitives.size(), 4u);
+  ASSERT_EQ(found.primitives.size(), expected.primitives.size());
+  const auto placeOf = [](const Primitive& primitive) {
+    const auto& p = primitive.pose.pose.position;
+    return Eigen::Vector3d(p.x, p.y, p.z);
+  };
+  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
+    EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
+    const Eigen::Vector3d place = found_from_expected * placeOf(expected.primitives[k]);
+    EXPECT_LT((placeOf(found.primitives[k]) - place).norm(), most_apart) << k;
+  }
+}
+
 TEST(FramePipeline, SearchesAnImageThatWasMovedFromWhereItsCameraWas) {
   const Eigen::Isometry3d robot_from_camera = synthetic::robotFromCamera(1.3, 0.6);
   FramePipeline pipeline{Params()};
@@ -174,17 +190,7 @@ TEST(FramePipeline, SearchesAnImageThatWasMovedFromWhereItsCameraWas) {
   ASSERT_TRUE(pipeline.foundCamera());
   EXPECT_EQ(pipeline.seenFromOrigin(), true);
   EXPECT_LT((pipeline.foundCamera()->translation() - robot_from_camera.translation()).norm(), 0.002);
-  ASSERT_GE(expected.primitives.size(), 4u);
-  ASSERT_EQ(found.primitives.size(), expected.primitives.size());
-  const auto placeOf = [](const Primitive& primitive) {
-    const auto& p = primitive.pose.pose.position;
-    return Eigen::Vector3d(p.x, p.y, p.z);
-  };
-  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
-    EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
-    const Eigen::Vector3d place = robot_from_camera * placeOf(expected.primitives[k]);
-    EXPECT_LT((placeOf(found.primitives[k]) - place).norm(), 0.01) << k;
-  }
+  expectSame(found, expected, robot_from_camera, 0.01);
   pipeline.process(tableIn(Eigen::Isometry3d::Identity()));
   EXPECT_FALSE(pipeline.foundCamera()) << "of the cloud before";
 }
@@ -226,13 +232,7 @@ TEST(FramePipeline, SearchesAListWithoutOrderFromWhereShadowsTell) {
   EXPECT_EQ(pipeline.cameraClue(), CameraClue::shadows);
   EXPECT_EQ(pipeline.seenFromOrigin(), true);
   EXPECT_LT((pipeline.foundCamera()->translation() - robot_from_camera.translation()).norm(), 0.25);
-  ASSERT_GE(expected.primitives.size(), 4u);
-  ASSERT_EQ(found.primitives.size(), expected.primitives.size());
-  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
-    EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
-    const auto &at = found.primitives[k].pose.pose.position, &before = expected.primitives[k].pose.pose.position;
-    EXPECT_LT(std::hypot(at.x - before.x, at.y - before.y, at.z - before.z), 0.015) << k;
-  }
+  expectSame(found, expected, Eigen::Isometry3d::Identity(), 0.015);
   pipeline.process(shuffled(asList(tableIn(Eigen::Isometry3d::Identity()))));
   EXPECT_FALSE(pipeline.foundCamera());
   EXPECT_TRUE(pipeline.isListFromOrigin());
@@ -250,14 +250,7 @@ TEST(FramePipeline, SearchesAListThatWasMovedFromWhereItsOrderTells) {
   EXPECT_EQ(pipeline.cameraClue(), CameraClue::order);
   EXPECT_EQ(pipeline.seenFromOrigin(), true);
   EXPECT_LT((pipeline.foundCamera()->translation() - robot_from_camera.translation()).norm(), 0.002);
-  ASSERT_GE(expected.primitives.size(), 4u);
-  ASSERT_EQ(found.primitives.size(), expected.primitives.size());
-  for (std::size_t k = 0; k < expected.primitives.size(); ++k) {
-    EXPECT_EQ(found.primitives[k].type, expected.primitives[k].type) << k;
-    const auto &at = found.primitives[k].pose.pose.position, &before = expected.primitives[k].pose.pose.position;
-    const Eigen::Vector3d place = robot_from_camera * Eigen::Vector3d(before.x, before.y, before.z);
-    EXPECT_LT((Eigen::Vector3d(at.x, at.y, at.z) - place).norm(), 0.01) << k;
-  }
+  expectSame(found, expected, robot_from_camera, 0.01);
 }
 
 /// Labelled points lie on what they belong to, in the frame of the sensor; z of all is as this cloud of the camera's.
