@@ -128,7 +128,8 @@ def together(summaries):
     return {"frames": frames,
             "recall": {"all": {key: total(lambda one, key=key: one["recall"]["all"][key])
                                for key in ("found", "labels")}},
-            "false_curved_per_frame": total(lambda one: one["false_curved_per_frame"] * one["frames"]) / frames,
+            **{key: total(lambda one, key=key: one[key] * one["frames"]) / frames
+               for key in ("false_curved_per_frame", "other_planes_per_frame")},
             "false_on_negative_frames": {"all": total(lambda one: sum(one["false_on_negative_frames"].values()))},
             "radius_error_mm": {
                 "absolute": middle(lambda one: (one["radius_error_mm"]["absolute"] or {}).get("median"))},

@@ -121,6 +121,8 @@ def summarise(entries):
     alarms = {name: false_alarms(result) for name, _, result, _ in entries}
     count = sum(map(len, alarms.values()))
     negative = {name: len(alarms[name]) for name, frame, _, _ in entries if frame["negative"]}
+    planes = sum(found["type"] == "plane" and verdict != "right" for _, _, result, _ in entries
+                 for found, verdict in zip(result["detections"], result["verdicts"]))
     errors = {kind: [label["radius_error_mm"] for _, label in labels if label["kind"] == kind
                      and label["radius_error_mm"] is not None] for kind in KINDS[1:]}
     every = sum(errors.values(), [])
@@ -131,6 +133,7 @@ def summarise(entries):
         "optional": tally([(name, label) for name, label in labels if not label["must"]]),
         "reported_twice": sum(len(label["hits"]) > 1 for _, label in labels),
         "false_curved": count, "false_curved_per_frame": count / len(entries) if entries else None,
+        "other_planes_per_frame": planes / len(entries) if entries else None,
         "false_alarms": {name: texts for name, texts in alarms.items() if texts},
         "false_on_negative_frames": negative,
         "radius_error_mm": {"absolute": spread(map(abs, every)), "mean": float(numpy.mean(every)) if every else None,

@@ -112,24 +112,26 @@ def test_the_cost_is_the_middle_of_what_the_same_clouds_take_longer():
 
 
 def test_recorded_frames_are_told_over_all_draws():
-    def figures(found, false):
+    def figures(found, false, planes):
         return {"frames": 2, "recall": {"all": {"found": found, "labels": 10}}, "false_curved_per_frame": false,
+                "other_planes_per_frame": planes,
                 "false_on_negative_frames": {}, "radius_error_mm": {"absolute": None}, "total_ms": None}
     asked = []
 
     def score(options):
         asked.append(options)
-        return [figures(8, 0.5), figures(9, 0.5)] if "upright" in options else [figures(10, 0.0)] * 2
+        return [figures(8, 0.5, 3), figures(9, 0.5, 2)] if "upright" in options else [figures(10, 0.0, 1.5)] * 2
     table = ablation.frames_table(ablation.frame_figures(STEPS, score), STEPS)
     row = row_of(table, "upright")
-    assert row["R"].value == 15 and row["false curved"].value == 0.5
+    assert row["R"].value == 15 and row["false curved"].value == 0.5 and row["other planes"].value == 1
     assert row_of(table, "all steps")["R"].value == 100 and row_of(table, "facets")["R"].value == 0
     assert asked == [[], ["--closer_samples", "0"], ["--improve_normals", "false"], ["--without", "facets"],
                      ["--without", "upright"]]
 
 
 def test_frames_without_any_result_say_nothing():
-    nothing = {"frames": 0, "recall": {"all": {"found": 0, "labels": 0}}, "false_curved_per_frame": None}
+    nothing = {"frames": 0, "recall": {"all": {"found": 0, "labels": 0}}, "false_curved_per_frame": None,
+               "other_planes_per_frame": None}
     table = ablation.frames_table(ablation.frame_figures(STEPS, lambda options: [nothing]), STEPS)
     assert row_of(table, "all steps")["R"].value is None and row_of(table, "upright")["false curved"].value is None
 

@@ -120,6 +120,7 @@ def test_medians_are_those_of_the_kinds_asked_for_in_millimetres():
 
 def test_recorded_frames_fail_by_a_single_false_alarm_on_a_negative_one():
     figures = {"frames": 4, "recall": {"all": {"found": 100, "labels": 100}}, "false_curved_per_frame": 0.25,
+               "other_planes_per_frame": 0.0,
                "false_on_negative_frames": {"board": 0}, "radius_error_mm": {"absolute": None}, "total_ms": None}
     rows = dict(accuracy.frame_rows({1: figures, 2: dict(figures, false_on_negative_frames={"board": 1})}))
     assert [rows["seed %d" % seed][-1].value for seed in (1, 2)] == ["yes", "no: 1 on negative"]
@@ -132,6 +133,7 @@ def test_recorded_frames_fail_by_a_single_false_alarm_on_a_negative_one():
 def test_recorded_frames_are_judged_over_all_seeds_and_shown_for_each():
     def figures(found, false):
         return {"frames": 4, "recall": {"all": {"found": found, "labels": 40}}, "false_curved_per_frame": false,
+                "other_planes_per_frame": 0.0,
                 "false_on_negative_frames": {}, "radius_error_mm": {"absolute": {"median": 0.5}}, "total_ms": None}
     rows = dict(accuracy.frame_rows({1: figures(40, 0.0), 2: figures(38, 0.5), 3: figures(40, 0.25)}))
     row = dict(zip([name for name, _ in accuracy.COLUMNS], rows["must labels, seeds 1, 2, 3"]))

@@ -140,7 +140,7 @@ class Summary(unittest.TestCase):
     def test_counts_of_two_frames(self):
         wide = dict(BALL, name="wide ball", must=False, r_mm=500)
         entries = []
-        for name, one, found in (("a", frame(TABLE, BALL, wide), [plane(1.0), sphere(0.0, 0.102)]),
+        for name, one, found in (("a", frame(TABLE, BALL, wide), [plane(1.0), plane(1.4), sphere(0.0, 0.102)]),
                                  ("b", frame(MUG, negative=True), [sphere(0.3, 0.05)])):
             result = {"detections": found, "total_ms": {"a": 10.0, "b": 30.0}[name]}
             result.update(frame_scoring.score_frame(one, found))
@@ -151,6 +151,7 @@ class Summary(unittest.TestCase):
         self.assertEqual(summary["recall"]["cone"], {"labels": 0, "found": 0, "missed": []})
         self.assertEqual(summary["optional"], {"labels": 1, "found": 0, "missed": ["a: wide ball"]})
         self.assertEqual((summary["false_curved"], summary["false_curved_per_frame"]), (1, 0.5))
+        self.assertEqual(summary["other_planes_per_frame"], 0.5)
         self.assertEqual(summary["false_alarms"], {"b": ["sphere r 50 mm"]})
         self.assertEqual(summary["false_on_negative_frames"], {"b": 1})
         self.assertAlmostEqual(summary["radius_error_mm"]["absolute"]["median"], 2.0)
