@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/frame_around.h"
+#include "core/frame_memory.h"
 
 namespace primitect {
 namespace {
@@ -18,6 +20,24 @@ constexpr std::size_t kMostExtentPoints = 2039;
 /// Where along point + t * axis the inliers lie.
 struct AxisRange {
   double low, high;
+};
+
+/// Of all inliers, not of some alone: the tip of a cone is a pixel or two. Along the axis, m; of at least one.
+struct Outermost {
+  double low, next, high;  ///< next: the second lowest
+
+  Outermost(const Vec3& point, const Vec3& axis, const SeenPoints& inliers) {
+    List<float> heights(inliers.size());
+    heightsAlong(axis, inliers.x.data(), inliers.y.data(), inliers.z.data(), inliers.size(), heights.data());
+    float lowest = heights.front(), second = std::numeric_limits<float>::infinity(), highest = lowest;
+    for (std::size_t k = 1; k < heights.size(); ++k) {
+      second = std::min(second, std::max(lowest, heights[k]));
+      lowest = std::min(lowest, heights[k]);
+      highest = std::max(highest, heights[k]);
+    }
+    const double origin = (inliers.origin - point).dot(axis);
+    low = origin + lowest, next = origin + std::min(second, highest), high = origin + highest;
+  }
 };
 
 /// How the surface between two heights along an axis grows with them: of a cylinder as their difference, of a cone,
@@ -44,17 +64,18 @@ double endFrom(double one, double two, double all, Surface surface) {
 /// The narrow end of a cone (heights from its apex): one that may be its tip, as far as so few points tell, whose
 /// number has a deviation of its root, lies at the outermost point, at the next one where the outermost is a straggler;
 /// any other at `end`. one, two: heights that one and two hundredths of the points, `few` each, lie beyond.
-double narrowEnd(double end, double outermost, double next, double one, double two, std::size_t few) {
+double narrowEnd(double end, const Outermost& outermost, double one, double two, std::size_t few) {
   constexpr double kDeviations = 2.0, kStraggler = 4.0;  // times the surface that there is for each point
-  if (few == 0) return std::max(outermost, end);
+  if (few == 0) return std::max(outermost.low, end);
   const auto areaOf = [](double height) { return areaUpTo(height, Surface::tapered); };
   const double hundredth = areaOf(two) - areaOf(one), count = static_cast<double>(few);
-  if (areaOf(end) >= kDeviations * std::sqrt(2.0 / count) * hundredth) return std::max(outermost, end);
-  return areaOf(next) - areaOf(outermost) > kStraggler * hundredth / count ? next : outermost;
+  if (areaOf(end) >= kDeviations * std::sqrt(2.0 / count) * hundredth) return std::max(outermost.low, end);
+  const bool strays = areaOf(outermost.next) - areaOf(outermost.low) > kStraggler * hundredth / count;
+  return strays ? outermost.next : outermost.low;
 }
 
-AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMostExtentPoints>& inliers, Surface surface,
-                     Ends ends) {
+AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SeenPoints& all,
+                     const SomePoints<kMostExtentPoints>& inliers, Surface surface, Ends ends) {
   constexpr double kStragglers = 0.01;
   float heights[SomePoints<kMostExtentPoints>::kRoom];
   heightsAlong(axis, inliers.x, inliers.y, inliers.z, inliers.count, heights);
@@ -66,20 +87,16 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SomePoints<kMost
   std::nth_element(low, high, end);
   const double to = origin + *high;
   if (ends == Ends::without_stragglers) return {from, to};
-  // Those before `low` and after `high` lie beyond them still. Of less than a hundred points there are none, and `low`
-  // is not where it was.
-  const double highest = origin + *std::max_element(high, end);
-  std::partial_sort(heights, heights + std::min<std::size_t>(few, 2), low);
-  const double lowest = few > 0 ? origin + heights[0] : from, next = few > 1 ? origin + heights[1] : from;
+  const Outermost outermost(point, axis, all);
   float *const low_two = low + few, *const high_two = high - few;
   std::nth_element(low, low_two, high + 1);
   const double from_two = origin + *low_two;
   std::nth_element(low_two, high_two, high + 1);
   const double to_two = origin + *high_two;
   const double low_end = endFrom(from, from_two, to, surface), high_end = endFrom(to, to_two, from, surface);
-  const double first =
-      surface == Surface::tapered ? narrowEnd(low_end, lowest, next, from, from_two, few) : std::max(lowest, low_end);
-  return {first, std::min(highest, high_end)};
+  const double first = surface == Surface::tapered ? narrowEnd(low_end, outermost, from, from_two, few)
+                                                   : std::max(outermost.low, low_end);
+  return {first, std::min(outermost.high, high_end)};
 }
 
 /// x of the frame: from the axis towards the side that was seen.
@@ -92,7 +109,7 @@ Eigen::Matrix3d frameTowardsSeenSide(const Vec3& point, const Vec3& axis,
 
 Extent extentAlong(const Cylinder& cylinder, const SeenPoints& inliers, Ends ends) {
   const SomePoints<kMostExtentPoints> some(inliers);
-  const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, some, Surface::even, ends);
+  const AxisRange range = rangeAlong(cylinder.point, cylinder.axis, inliers, some, Surface::even, ends);
   Extent extent;
   extent.origin = cylinder.point + 0.5 * (range.low + range.high) * cylinder.axis;
   extent.rotation = frameTowardsSeenSide(cylinder.point, cylinder.axis, some);
@@ -104,7 +121,7 @@ Extent extentAlong(const Cylinder& cylinder, const SeenPoints& inliers, Ends end
 
 Extent extentAlong(const Cone& cone, const SeenPoints& inliers, Ends ends) {
   const SomePoints<kMostExtentPoints> some(inliers);
-  AxisRange range = rangeAlong(cone.apex, cone.axis, some, Surface::tapered, ends);
+  AxisRange range = rangeAlong(cone.apex, cone.axis, inliers, some, Surface::tapered, ends);
   range.low = std::max(range.low, 0.0);
   range.high = std::max(range.high, range.low);
   Extent extent;

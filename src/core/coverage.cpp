@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/frame_memory.h"
+#include "core/random.h"
 #include "kernels/loops.h"
 
 namespace primitect {
@@ -21,7 +22,8 @@ using Vec2 = Eigen::Vector2d;
 constexpr std::size_t kProbes = 64;
 /// Places of a plane that tell how its outline cuts what lies around a probe; every second one is a probe.
 constexpr std::size_t kPlaces = 2 * kProbes;
-constexpr std::size_t kMostInliers = 400;
+/// Prime: the step through the points is then seldom in time with the rows of an image.
+constexpr std::size_t kMostInliers = 397;
 /// Inliers around a probe: enough that chance leaves no hole, see covered().
 constexpr double kNeighbors = 24.0;
 
@@ -176,13 +178,13 @@ struct FlatView {
   }
 };
 
-/// Some of so many points, one of each equal part of them: of a table in view, every 640th pixel in steps that never
-/// change would be a column of the image.
+/// Some of so many points, one at random of each equal part of them. In steps that never change, or change evenly, they
+/// would lie in columns of images of many widths: a wall of 512 x 512 pixels was covered to .6 then.
 List<std::size_t> scattered(std::size_t all) {
   static const std::vector<double> kWithin = [] {
-    constexpr double kGolden = 0.6180339887498949;
+    Random random(1);
     std::vector<double> within;
-    for (std::size_t k = 0; k < kMostInliers; ++k) within.push_back(std::fmod(kGolden * static_cast<double>(k), 1.0));
+    for (std::size_t k = 0; k < kMostInliers; ++k) within.push_back(random.uniform());
     return within;
   }();
   const std::size_t count = std::min(all, kMostInliers);

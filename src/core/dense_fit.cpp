@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/fitting.h"
+#include "core/random.h"
 #include "core/seen_side.h"
 #include "core/segmentation.h"
 #include "core/tapered.h"
@@ -16,6 +17,58 @@
 namespace primitect {
 
 namespace {
+
+/// Takes one at random of every so many points of a label, the same every time. Always the same one of them would be
+/// columns of images of many widths.
+class Thinning {
+ public:
+  explicit Thinning(std::size_t every) : every_(every), random_(every), next_(draw()) {}
+
+  void take(const LabelRun& run, List<std::uint32_t>& taken) {
+    const std::size_t count = run.end - run.begin;
+    for (; next_ < passed_ + count; next_ = ++parts_ * every_ + draw()) {
+      taken.push_back(run.begin + static_cast<std::uint32_t>(next_ - passed_));
+    }
+    passed_ += count;
+  }
+
+  bool takesAll() const { return every_ == 1; }
+
+ private:
+  std::size_t draw() { return every_ > 1 ? random_.below(every_) : 0; }
+
+  std::size_t every_;
+  Random random_;
+  std::size_t parts_ = 0;   ///< of `every_` points each, that one was taken of
+  std::size_t next_;        ///< the number of the next point to be taken
+  std::size_t passed_ = 0;  ///< points in the runs before
+};
+
+/// The outermost pixels of a label: the tip of a cone is one of them, whichever way it points.
+class Outermost {
+ public:
+  void see(const LabelRun& run, std::uint32_t width) {
+    if (!any_) top_ = run.begin;
+    bottom_ = run.end - 1;
+    forRows(run, width, [&](std::uint32_t row, std::uint32_t begin, std::uint32_t end) {
+      if (!any_ || begin < left_ % width) left_ = row * width + begin;
+      if (!any_ || end - 1 > right_ % width) right_ = row * width + end - 1;
+      any_ = true;
+    });
+  }
+
+  /// Those that were not taken, of rising indices.
+  void addTo(List<std::uint32_t>& taken) const {
+    for (const std::uint32_t pixel : {top_, left_, right_, bottom_}) {
+      const auto at = std::lower_bound(taken.begin(), taken.end(), pixel);
+      if (any_ && (at == taken.end() || *at != pixel)) taken.insert(at, pixel);
+    }
+  }
+
+ private:
+  bool any_ = false;
+  std::uint32_t top_ = 0, left_ = 0, right_ = 0, bottom_ = 0;
+};
 
 /// Adds the ends of a run in every row of the image that it passes through.
 void addRowEnds(const LabelRun& run, std::uint32_t width, List<std::uint32_t>& ends) {
@@ -34,24 +87,26 @@ void addRowEnds(const LabelRun& run, std::uint32_t width, List<std::uint32_t>& e
 
 }  // namespace
 
-void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<std::size_t>& most,
+void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<WantedPoints>& wanted,
                     List<LabelledPoints>& points) {
-  const std::size_t count = most.size();
+  const std::size_t count = wanted.size();
   points.resize(count);
   for (LabelledPoints& of_label : points) of_label.index.clear(), of_label.row_ends.clear(), of_label.all = 0;
   for (const LabelRun& run : runs) {
     if (run.label <= count) points[run.label - 1].all += run.end - run.begin;
   }
-  List<std::size_t> rest(count, 0);  // how many points are to be left out before the next one
+  List<Thinning> thinnings;
+  for (std::size_t k = 0; k < count; ++k) thinnings.emplace_back(points[k].all / wanted[k].most + 1);
+  List<Outermost> outermost(count);
   for (const LabelRun& run : runs) {
     if (run.label > count) continue;
-    LabelledPoints& of_label = points[run.label - 1];
-    const std::size_t step = of_label.all / most[run.label - 1] + 1;
-    std::size_t next = run.begin + rest[run.label - 1];
-    for (; next < run.end; next += step) of_label.index.push_back(static_cast<std::uint32_t>(next));
-    rest[run.label - 1] = next - run.end;
-    if (width > 0) addRowEnds(run, width, of_label.row_ends);
+    const std::size_t k = run.label - 1;
+    thinnings[k].take(run, points[k].index);
+    if (width == 0) continue;
+    addRowEnds(run, width, points[k].row_ends);
+    if (wanted[k].outermost && !thinnings[k].takesAll()) outermost[k].see(run, width);
   }
+  for (std::size_t k = 0; k < count; ++k) outermost[k].addTo(points[k].index);
 }
 
 namespace {

@@ -20,15 +20,22 @@ namespace primitect {
 
 /// Points of one label.
 struct LabelledPoints {
-  List<std::uint32_t> index;  ///< in the cloud, at most as many as asked for, evenly taken
+  List<std::uint32_t> index;  ///< in the cloud, rising: those that are wanted
   /// The outermost in each row of an image: all that its outline needs. Of a few pixels in a row none is.
   List<std::uint32_t> row_ends;
   std::size_t all = 0;  ///< how many carry the label, or how many points of the whole cloud these stand for
 };
 
-/// Points of the labels 1, 2, ..., of each at most as many as stands in `most`; other labels are none. width: of the
-/// image, 0 for a list, which has no rows.
-void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<std::size_t>& most,
+/// At most so many of a label, one at random of every so many; in images also the up to four outermost of all, where
+/// these are wanted.
+struct WantedPoints {
+  std::size_t most;
+  bool outermost = false;
+};
+
+/// Points of the labels 1, 2, ..., as wanted of each; other labels are none. width: of the image, 0 for a list, which
+/// has no rows.
+void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<WantedPoints>& wanted,
                     List<LabelledPoints>& points);
 
 /// Which way points err.

@@ -11,10 +11,11 @@
 namespace primitect {
 namespace {
 
+/// Of what lies, noise alone would say which end is higher.
 bool pointsUp(const Vec3& axis) {
-  constexpr double kLevel = 1e-9;
-  if (std::abs(axis.y()) > kLevel) return axis.y() < 0.0;
-  if (std::abs(axis.x()) > kLevel) return axis.x() > 0.0;
+  constexpr double kLying = 0.087;  // 5 deg
+  if (std::abs(axis.y()) > kLying) return axis.y() < 0.0;
+  if (std::abs(axis.x()) > kLying) return axis.x() > 0.0;
   return axis.z() > 0.0;
 }
 

@@ -22,7 +22,7 @@ Extent measureExtent(const Shape& shape, const SeenPoints& inliers, std::vector<
 void measureToTheEnds(const Shape& shape, const SeenPoints& inliers, Extent& extent);
 
 /// The same shape with a sign of its axis that does not flip from frame to frame: a cylinder's points up in the image
-/// (y < 0, else x > 0, else z > 0).
+/// (y < 0), to the right where it lies within 5 deg (x > 0), else away (z > 0).
 Shape canonical(const Shape& shape);
 
 }  // namespace primitect

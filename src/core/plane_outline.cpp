@@ -77,11 +77,12 @@ class Cells {
     }
   }
 
-  /// Leaves the parts, of cells that touch each other, which hold at least this share of what the part with most points
-  /// holds, or a quarter of that in half of the cells that one has at most: samples are denser where the first look
-  /// explained nothing, and few may be in what is large.
-  void keepParts(double share) {
-    constexpr double kWide = 0.5, kThin = 0.25;
+  /// Leaves the parts, of cells that touch each other, which hold at least a fifth of what the part with most points
+  /// holds. A twentieth is enough in half of the cells that one has at most, as samples are denser where the first look
+  /// explained nothing, and few may be in what is large; and in what is no strip, as a surface is that passes through
+  /// the plane: beside a post in front of a wall an eighth of it may be seen.
+  void keepParts() {
+    constexpr double kShare = 0.2, kLeast = 0.05, kWide = 0.5;
     List<int> part(counts_.size(), 0), open;
     List<Part> parts(1);  // from 1 on
     for (std::size_t first = 0; first < counts_.size(); ++first) {
@@ -94,8 +95,8 @@ class Cells {
     }
     for (std::size_t k = 0; k < counts_.size(); ++k) {
       const Part& of = parts[static_cast<std::size_t>(part[k])];
-      const bool wide = of.cells >= kWide * most_cells && of.points >= kThin * share * most_points;
-      if (of.points < share * most_points && !wide) counts_[k] = 0;
+      const bool large = of.has_core || of.cells >= kWide * most_cells;
+      if (of.points < (large ? kLeast : kShare) * most_points) counts_[k] = 0;
     }
   }
 
@@ -133,6 +134,7 @@ class Cells {
  private:
   struct Part {
     double points = 0.0, cells = 0.0;
+    bool has_core = false;  ///< a cell amid others that hold points
   };
 
   int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
@@ -145,12 +147,15 @@ class Cells {
       const int at = open.back();
       open.pop_back();
       held.points += count(at), held.cells += 1.0;
+      int beside = 0;
       for (const int next : {at - columns_ - 1, at - columns_, at - columns_ + 1, at - 1, at + 1, at + columns_ - 1,
                              at + columns_, at + columns_ + 1}) {
+        beside += count(next) > 0 ? 1 : 0;
         if (count(next) == 0 || part[static_cast<std::size_t>(next)] != 0) continue;
         part[static_cast<std::size_t>(next)] = number;
         open.push_back(next);
       }
+      held.has_core = held.has_core || beside == 8;
     }
     return held;
   }
@@ -171,8 +176,7 @@ Extent outlineOf(const Plane& plane, const SeenPoints& inliers, const SeenPoints
   extent.rotation = frameAround(plane.normal, longestDirection(some, mean, plane.normal));
   const FlatPoints flat(inliers, extent.rotation, inliers.origin);
   Cells cells(flat);
-  constexpr double kLeastPart = 0.2;
-  cells.keepParts(kLeastPart);
+  cells.keepParts();
   List<Vec2> border = cells.border(flat);
   const FlatPoints flat_outermost(outermost, extent.rotation, inliers.origin);
   for (std::size_t i = 0; i < outermost.size(); ++i) {

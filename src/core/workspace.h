@@ -151,7 +151,7 @@ struct Detector::Workspace {
   List<List<std::uint32_t>> pixelsOfFaces(const PlaneInImage& plane, const List<LabelRun>& runs) const;
   bool giveToFaces(std::size_t least, const PlaneInImage& plane, const List<LabelRun>& runs);
   DepthWaves findWaves(const List<List<std::uint32_t>>& clear_points);
-  List<std::size_t> mostPoints() const;
+  List<WantedPoints> wantedPoints() const;
   std::size_t fewestPoints(Kind kind, const Cloud& cloud);
 
   FrameMemory memory;  ///< of all lists of this detector: it outlives them

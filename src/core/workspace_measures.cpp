@@ -112,7 +112,7 @@ void Detector::Workspace::findPoints(const Cloud& whole, const ImageRays& rays) 
 
 void Detector::Workspace::gatherPoints(const List<LabelRun>& runs) {
   const Cloud& cloud = thinned.cloud();
-  pointsOfLabels(runs, cloud.organized() ? cloud.width : 0, mostPoints(), points);
+  pointsOfLabels(runs, cloud.organized() ? cloud.width : 0, wantedPoints(), points);
   const List<std::size_t> all = countPoints(runs);
   for (std::size_t k = 0; k < points.size(); ++k) points[k].all = all[k];
 }
@@ -292,13 +292,14 @@ void Detector::Workspace::measureOnCloud(const Cloud& whole) {
 /// How many points the measures of each detection are taken from. 4096 instead of 2048: on the paper's scenes DOD is
 /// 0.04 sigma instead of 0.05 for 7 % more time, and planes of depth frames would take 3 % more of the frame's time;
 /// but errors of half angles in depth frames are 0.24 deg instead of 0.35 for 2 %.
-List<std::size_t> Detector::Workspace::mostPoints() const {
+List<WantedPoints> Detector::Workspace::wantedPoints() const {
   constexpr std::size_t kMost = 2048, kMostOfCurvedInDepth = 4096;
-  List<std::size_t> most;
+  List<WantedPoints> wanted;
   for (const Detection& item : result.items) {
-    most.push_back(depth_camera && kindOf(item.shape) != Kind::plane ? kMostOfCurvedInDepth : kMost);
+    const bool curved = kindOf(item.shape) != Kind::plane;
+    wanted.push_back({depth_camera && curved ? kMostOfCurvedInDepth : kMost, curved});
   }
-  return most;
+  return wanted;
 }
 
 /// The closer look may take every point of what is left: a shape has more of them than just those. Slivers that the

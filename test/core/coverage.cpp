@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "core/extent.h"
 #include "test/support/exact_shapes.h"
 
@@ -181,21 +184,34 @@ std::vector<Vec3> pixelsOf(const Plane& table, int width, const Keep& keep) {
 }
 
 TEST(PlaneCoverage, OfATableSeenAtASlantIsThatOfItsSurface) {
-  const double tilt = 35.0 * kDegree;
-  const Plane table = {Vec3(0.0, 0.1, 1.0), Vec3(0.0, -std::cos(tilt), -std::sin(tilt))};
-  const auto coverage = [&table](int width, const auto& keep, Density density) {
+  const auto coverage = [](double tilt_deg, int width, const auto& keep, Density density) {
+    const double tilt = tilt_deg * kDegree;
+    const Plane table = {Vec3(0.0, 0.1, 1.0), Vec3(0.0, -std::cos(tilt), -std::sin(tilt))};
     const std::vector<Vec3> points = pixelsOf(table, width, keep);
     return measureCoverage(table, measureExtent(table, points), points, density);
   };
   const auto everywhere = [](double) { return true; };
-  EXPECT_LT(coverage(100, everywhere, Density::of_surface), 0.9f) << "or this tells nothing";
+  EXPECT_LT(coverage(20.0, 100, everywhere, Density::of_surface), 0.9f) << "or this tells nothing";
   // So many widths that steps of some hundred points are a row, or nearly.
   for (int width = 100; width < 108; ++width)
-    EXPECT_GT(coverage(width, everywhere, Density::of_pixels), 0.97f) << width;
-  // It reaches from 0.73 to 2 m, as wide as it is far away: of an area of (4 - 0.53) / 2, what is between 1.2 and 1.6 m
-  // is 0.32.
+    EXPECT_GT(coverage(20.0, width, everywhere, Density::of_pixels), 0.93f) << width;
+  // At 35 deg it reaches from 0.73 to 2 m, as wide as it is far away: of an area of (4 - 0.53) / 2, what is between 1.2
+  // and 1.6 m is 0.32.
   const auto near_and_far = [](double depth) { return depth < 1.2 || depth > 1.6; };
-  EXPECT_NEAR(coverage(100, near_and_far, Density::of_pixels), 0.68f, 0.08f);
+  EXPECT_NEAR(coverage(35.0, 100, near_and_far, Density::of_pixels), 0.68f, 0.08f);
+}
+
+/// One of every 100 pixels or so: in steps that change evenly, too, these are columns of some images.
+TEST(PlaneCoverage, OfAWallIsOneWhateverTheSizeOfTheImage) {
+  for (const auto& [width, height] :
+       {std::pair(640, 276), std::pair(512, 512), std::pair(352, 352), std::pair(184, 184), std::pair(670, 670)}) {
+    std::vector<Vec3> points;
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column) points.emplace_back(0.002 * column, 0.002 * row, 1.0);
+    }
+    const float coverage = measureCoverage(kPlane, measureExtent(kPlane, points), points, Density::of_pixels);
+    EXPECT_GT(coverage, 0.9f) << width << " " << height;
+  }
 }
 
 TEST(Coverage, IsNoneWithoutInliersAndAShareWithAFew) {

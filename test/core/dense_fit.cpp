@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "core/fitting.h"
 #include "test/support/hypotheses.h"
@@ -296,11 +298,11 @@ TEST(PointsOfLabels, KnowsTheOutermostInEachRowOfAnImage) {
                                              1, 1, 1, 1, 0, 2, 2, 0, 1, 1, 1, 1,   // something between two; on to
                                              1, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};  // the next row; too few
   List<LabelledPoints> points;
-  pointsOfLabels(labelRuns(labels), 12, {100, 100}, points);
+  pointsOfLabels(labelRuns(labels), 12, {{100}, {100}}, points);
   EXPECT_EQ(points[0].row_ends, (List<std::uint32_t>{1, 4, 12, 23, 24, 28}));
   EXPECT_TRUE(points[1].row_ends.empty());
   EXPECT_EQ(points[0].all, 20u);
-  pointsOfLabels(labelRuns(labels), 0, {100, 100}, points);
+  pointsOfLabels(labelRuns(labels), 0, {{100}, {100}}, points);
   EXPECT_TRUE(points[0].row_ends.empty());
 }
 
@@ -308,7 +310,7 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   std::vector<std::uint32_t> labels(10000, 0);
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = i < 9000 ? i % 2 : 2;
   List<LabelledPoints> points;
-  pointsOfLabels(labelRuns(labels), 0, {1000, 300, 1000}, points);
+  pointsOfLabels(labelRuns(labels), 0, {{1000}, {300}, {1000}}, points);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].all, 4500u);
   EXPECT_EQ(points[1].all, 1000u);
@@ -323,6 +325,39 @@ TEST(PointsOfLabels, CountsAllAndTakesSomeEvenly) {
   const List<std::uint32_t>& first = points[0].index;
   const double mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
   EXPECT_NEAR(mean, 4500.0, 50.0);
+}
+
+TEST(PointsOfLabels, TakesSomeOfAllColumnsWhateverTheWidth) {
+  for (const std::uint32_t width : {99u, 100u, 101u, 200u, 512u}) {
+    const std::vector<std::uint32_t> labels(100u * width, 1);
+    List<LabelledPoints> points;
+    pointsOfLabels(labelRuns(labels), width, {{101}}, points);  // every 100th of 100 columns
+    std::set<std::uint32_t> columns;
+    for (const std::uint32_t i : points[0].index) columns.insert(i % width);
+    EXPECT_GT(columns.size(), 50u) << width;
+    EXPECT_TRUE(std::is_sorted(points[0].index.begin(), points[0].index.end())) << width;
+  }
+}
+
+TEST(PointsOfLabels, TakesTheOutermostPixels) {
+  constexpr std::uint32_t kWidth = 101;
+  std::vector<std::uint32_t> labels(kWidth * kWidth, 0);  // a square on its corner
+  for (int row = 0; row < 101; ++row) {
+    for (int column = 0; column < 101; ++column) {
+      if (std::abs(row - 50) + std::abs(column - 50) <= 40) labels[kWidth * row + column] = 1;
+    }
+  }
+  List<LabelledPoints> points;
+  for (const bool wanted : {true, false}) {
+    pointsOfLabels(labelRuns(labels), kWidth, {{100, wanted}}, points);
+    const List<std::uint32_t>& index = points[0].index;
+    EXPECT_LE(index.size(), wanted ? 104u : 100u);
+    std::ptrdiff_t corners = 0;
+    for (const std::uint32_t corner : {10 * kWidth + 50, 50 * kWidth + 10, 50 * kWidth + 90, 90 * kWidth + 50}) {
+      corners += std::count(index.begin(), index.end(), corner);
+    }
+    EXPECT_EQ(corners, wanted ? 4 : 0) << "one in 33 is taken by chance";
+  }
 }
 
 TEST(FitPoints, ThinnedAreSomeOfThemFromAllOver) {

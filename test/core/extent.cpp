@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <vector>
@@ -119,6 +120,21 @@ TEST(Extent, OfAConeGoesToItsTip) {
   EXPECT_LT(tips, 0.04 * 0.1);
 }
 
+/// The tip is one point of thousands: found whichever place it has among them.
+TEST(Extent, OfAConeOfManyPointsGoesToItsTipWhicheverWayItPoints) {
+  Random random(45);
+  const Cone cone = {Vec3(0, -0.1, 1.0), Vec3(0, 1, 0), std::atan(0.5)};
+  std::vector<Vec3> points;
+  for (int row = 0; row < 100; ++row) {  // of an image, the widest first
+    const double height = 0.2 - 0.002 * row;
+    for (int k = 0; k < 100 - row; ++k) points.push_back(pointOn(cone, height, random.uniform(0.0, M_PI)).point);
+  }
+  for (int turn = 0; turn < 2; ++turn) {
+    EXPECT_LT(toTheEnds(cone, points).radius_small, 0.5 * 0.0021) << turn;
+    std::reverse(points.begin(), points.end());
+  }
+}
+
 /// Of a stump (m, heights from the apex) with so many points, and so many stragglers between its top and the apex.
 int timesStretched(double top, int count, int stragglers) {
   const Cone cone = {Vec3(0, -0.1, 1.0), Vec3(0, 1, 0), std::atan(0.5)};
@@ -210,6 +226,22 @@ TEST(Extent, OfAPlaneHoldsPartsOfAFifthOfTheLargestOrMore) {
   }
 }
 
+/// Beside a post, an eighth of a wall; and as few points in a strip along it.
+TEST(Extent, OfAPlaneHoldsAnEighthThatIsNoStrip) {
+  Random random(46);
+  const Plane plane = {Vec3(0, 0, 1), -Vec3::UnitZ()};
+  for (const auto& [half_width, half_height, width] :
+       {std::tuple(0.09, 0.09, 0.79), std::tuple(0.01, 0.25, 0.5), std::tuple(0.05, 0.05, 0.5)}) {
+    std::vector<Vec3> points = pointsOf(patchOf(plane, 2000, 0.25, random));
+    const int count = static_cast<int>(std::lround(2000 * half_width * half_height / (0.25 * 0.25)));
+    for (int k = 0; k < count; ++k) {
+      const double across = random.uniform(-half_width, half_width), up = random.uniform(-half_height, half_height);
+      points.emplace_back(0.45 + across, up, 1.0);
+    }
+    EXPECT_NEAR(measureExtent(plane, points).size.x(), width, 0.02) << half_width;
+  }
+}
+
 /// As of a wall above and below a table, where the closer look drew from the part below.
 TEST(Extent, OfAPlaneHoldsLargePartsThatFewSamplesSaw) {
   Random random(42);
@@ -254,7 +286,11 @@ TEST(Canonical, CylinderAxesPointUpInTheImage) {
   for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.9, 0.1, 0.3)}) {
     EXPECT_LT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), axis.normalized(), 1.0})).axis.y(), 0.0);
   }
-  EXPECT_GT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), -Vec3::UnitX(), 1.0})).axis.x(), 0.0);
+  // What lies points to the right, whichever end noise makes the higher one.
+  for (const double higher : {0.0, 0.05, -0.05}) {
+    const Vec3 axis = Vec3(-1.0, higher, 0.3).normalized();
+    EXPECT_GT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), axis, 1.0})).axis.x(), 0.0) << higher;
+  }
   EXPECT_GT(std::get<Cylinder>(canonical(Cylinder{Vec3::Zero(), -Vec3::UnitZ(), 1.0})).axis.z(), 0.0);
 }
 
