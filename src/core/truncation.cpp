@@ -234,7 +234,7 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
       ++counts[end];
       if (!has_axis) continue;
       const auto first = surfaceStep(on, rays_, cloud_.z[indexOf(start, cloud_)], start, step);
-      if (first) ends.add(first->from, first->step, end != 0);
+      if (first) ends.add(first->from, first->step, end);
     }
   };
   std::visit(walkAll, shape);
@@ -245,8 +245,9 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
     return walks * counts[bit] >= starts.size();
   };
   // Where a list ends the camera may have ended, or a filter, or the thing itself.
-  if (!rays_.border_known && reached(kTruncatedByImage)) return unknown();
-  truncated.by = 0;
+  const std::uint8_t at_ends = has_axis ? ends.cutOffBy() : 0;
+  if (!rays_.border_known && (reached(kTruncatedByImage) || (at_ends & kTruncatedByImage) != 0)) return unknown();
+  truncated.by = at_ends;  // a narrow end has few of all walks
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
     if (reached(bit)) truncated.by |= bit;
   }

@@ -10,7 +10,7 @@ namespace primitect {
 
 UnseenEnds::UnseenEnds(const Extent& extent) : extent_(extent) {}
 
-void UnseenEnds::add(const Vec3& from, const Vec3& step, bool cut_off) {
+void UnseenEnds::add(const Vec3& from, const Vec3& step, std::uint8_t cut_off_by) {
   constexpr double kAlong = 0.7;                // of the step: within 45 deg of the axis
   constexpr double kNear = 0.15, kSteps = 3.0;  // of the length; pixels
   const Vec3 axis = extent_.rotation.col(2);
@@ -22,12 +22,16 @@ void UnseenEnds::add(const Vec3& from, const Vec3& step, bool cut_off) {
   if (!(to_end <= std::max(kNear * length, kSteps * std::abs(forward)))) return;
   Walks& walks = forward > 0.0 ? plus_ : minus_;
   ++walks.count;
-  if (cut_off) ++walks.cut_off;
+  if (cut_off_by != 0) ++walks.cut_off;
+  walks.by |= cut_off_by;
 }
 
 std::uint8_t UnseenEnds::bits() const {
-  const auto unseen = [](const Walks& walks) { return 2 * walks.cut_off >= walks.count; };
-  return static_cast<std::uint8_t>((unseen(minus_) ? kEndAtMinusZ : 0) | (unseen(plus_) ? kEndAtPlusZ : 0));
+  return static_cast<std::uint8_t>((minus_.unseen() ? kEndAtMinusZ : 0) | (plus_.unseen() ? kEndAtPlusZ : 0));
+}
+
+std::uint8_t UnseenEnds::cutOffBy() const {
+  return static_cast<std::uint8_t>((minus_.unseen() ? minus_.by : 0) | (plus_.unseen() ? plus_.by : 0));
 }
 
 }  // namespace primitect

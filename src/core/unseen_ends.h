@@ -15,16 +15,22 @@ class UnseenEnds {
  public:
   explicit UnseenEnds(const Extent& extent);
 
-  /// A walk that begins on a point of the surface (m), whose next pixel would see it `step` (m) farther, and whether
-  /// the sensor could not see on (truncation.h). It tells of an end if it runs along the axis and begins near it.
-  void add(const Vec3& from, const Vec3& step, bool cut_off);
+  /// A walk that begins on a point of the surface (m), whose next pixel would see it `step` (m) farther, and the bit of
+  /// why the sensor could not see on (truncation.h), 0 where it could. It tells of an end if it runs along the axis and
+  /// begins near it.
+  void add(const Vec3& from, const Vec3& step, std::uint8_t cut_off_by);
 
   /// Bits of End: of those where half of the walks were cut off, or that none tells of.
   std::uint8_t bits() const;
 
+  /// Bits of why the walks at these were cut off; 0 where none was, as of what is seen along its axis.
+  std::uint8_t cutOffBy() const;
+
  private:
   struct Walks {
     std::size_t count = 0, cut_off = 0;
+    std::uint8_t by = 0;
+    bool unseen() const { return 2 * cut_off >= count; }
   };
 
   const Extent& extent_;

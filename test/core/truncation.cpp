@@ -193,6 +193,24 @@ TEST(Truncation, OfACanBehindABoxLeavesItsFootUnseen) {
   }
 }
 
+/// Its z downwards, the origin so high (m).
+Eigen::Isometry3d upsideDown(double height) {
+  Eigen::Isometry3d pose = at(0.0, 0.0, height);
+  pose.rotate(Eigen::AngleAxisd(M_PI, Vec3::UnitX()));
+  return pose;
+}
+
+TEST(Truncation, OfAConeBehindABarThatHidesItsTipIsByOcclusion) {
+  View view;
+  addTable(view.world);
+  const int body = view.world.add("cone", synthetic::Frustum{0.3, 0.0, 0.3}, upsideDown(0.3));
+  const int cone = view.world.bodies()[static_cast<std::size_t>(body)].first_surface;
+  view.world.add("bar", Box{0.01, 0.3, 0.03}, at(-0.2, 0.0, 0.28));
+  view.render();
+  EXPECT_EQ(view.truncationOf(cone), kTruncatedByOcclusion);
+  EXPECT_EQ(view.truncated(cone).unseen_ends, kEndAtMinusZ);
+}
+
 TEST(Truncation, OfABallBehindACanIsByOcclusion) {
   View view;
   addTable(view.world);

@@ -112,27 +112,30 @@ TEST(UnseenEnds, AreToldByWalksAlongTheAxisFromNearThem) {
   const Vec3 up(0.0, 0.0, 0.002), across(0.002, 0.0, 0.001), near_top(0.0, 0.05, 0.08), near_foot(0.0, 0.05, -0.08);
   UnseenEnds ends(extent);
   EXPECT_EQ(ends.bits(), kEndAtMinusZ | kEndAtPlusZ) << "nobody looked";
-  ends.add(near_top, up, false);
+  ends.add(near_top, up, 0);
   EXPECT_EQ(ends.bits(), kEndAtMinusZ);
-  ends.add(near_foot, -up, false);
+  ends.add(near_foot, -up, 0);
   EXPECT_EQ(ends.bits(), 0);
   for (int k = 0; k < 5; ++k) {
-    ends.add(near_top, across, true);          // to the side
-    ends.add(Vec3(0.0, 0.05, 0.0), up, true);  // from the middle
-    ends.add(near_foot, up, true);             // away from it
-    ends.add(near_foot, Vec3::Zero(), true);
+    ends.add(near_top, across, kTruncatedByImage);          // to the side
+    ends.add(Vec3(0.0, 0.05, 0.0), up, kTruncatedByImage);  // from the middle
+    ends.add(near_foot, up, kTruncatedByImage);             // away from it
+    ends.add(near_foot, Vec3::Zero(), kTruncatedByImage);
   }
   EXPECT_EQ(ends.bits(), 0);
-  ends.add(near_foot, -up, true);
+  EXPECT_EQ(ends.cutOffBy(), 0);
+  ends.add(near_foot, -up, kTruncatedByDepth);
   EXPECT_EQ(ends.bits(), kEndAtMinusZ) << "half of its walks";
-  ends.add(near_foot, -up, false);
+  EXPECT_EQ(ends.cutOffBy(), kTruncatedByDepth);
+  ends.add(near_foot, -up, 0);
   EXPECT_EQ(ends.bits(), 0);
+  EXPECT_EQ(ends.cutOffBy(), 0) << "seen by most";
 }
 
 /// Whether a walk from there, in steps of 2 mm at this angle to the axis (deg), tells of the end at +z.
 bool tells(const Extent& extent, const Vec3& from, double degrees) {
   UnseenEnds ends(extent);
-  ends.add(from, 0.002 * Vec3(std::sin(degrees * M_PI / 180.0), 0.0, std::cos(degrees * M_PI / 180.0)), false);
+  ends.add(from, 0.002 * Vec3(std::sin(degrees * M_PI / 180.0), 0.0, std::cos(degrees * M_PI / 180.0)), 0);
   return !(ends.bits() & kEndAtPlusZ);
 }
 
