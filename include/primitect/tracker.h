@@ -41,7 +41,7 @@ struct Track {
 /// count, or one that is off would end its track. Of a large plane that is seen in parts the oldest number goes on.
 class Tracker {
  public:
-  /// patience (s): what was not seen for longer is a new thing.
+  /// patience (s): what was not seen for longer, or for 60 frames of one time, is a new thing.
   explicit Tracker(double patience = 2.0) : patience_(patience) {}
 
   void setPatience(double patience) { patience_ = patience; }
@@ -65,6 +65,7 @@ class Tracker {
     Sighting last, before;  ///< the last two
     Vec3 way;               ///< that its axis as a cylinder, or its x, points to; a cone in between may not
     double seen = 0.0;      ///< s, the last one
+    std::uint32_t unseen;   ///< frames since then
   };
   /// A thing of before that may be a sighting.
   struct Match {

@@ -139,9 +139,14 @@ void Tracker::preferOlder(const std::vector<Sighting>& sightings) {
 }
 
 const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings, double seconds) {
-  const auto forgotten = [&](const Thing& thing) { return !(seconds - thing.seen <= patience_); };
+  // Where stamps stand still, or run back, frames alone tell how long ago it was.
+  constexpr std::uint32_t kMostFramesWithoutTime = 60;
+  const auto forgotten = [&](const Thing& thing) {
+    const double since = seconds - thing.seen;
+    return !(since <= patience_) || (since <= 0.0 && thing.unseen >= kMostFramesWithoutTime);
+  };
   things_.erase(std::remove_if(things_.begin(), things_.end(), forgotten), things_.end());
-  for (Thing& thing : things_) ++thing.track.age;
+  for (Thing& thing : things_) ++thing.track.age, ++thing.unseen;
   findMatches(sightings, seconds);
   assign(sightings.size());
   preferOlder(sightings);
@@ -151,13 +156,14 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     if (thing_of_[s] == kNone) {
       track.id = next_id_++;
       thing_of_[s] = things_.size();
-      things_.push_back({track, sightings[s], sightings[s], wayOf(sightings[s]), seconds});
+      things_.push_back({track, sightings[s], sightings[s], wayOf(sightings[s]), seconds, 0});
       continue;
     }
     Thing& thing = things_[thing_of_[s]];
     thing.before = thing.last;
     thing.last = sightings[s];
     thing.seen = seconds;
+    thing.unseen = 0;
     track = thing.track;
     const Kind kind = thing.last.kind;
     if (kind == Kind::cylinder || kind == Kind::plane) track.direction_before = thing.way;

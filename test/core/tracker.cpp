@@ -100,6 +100,19 @@ TEST(Tracker, WaitsForWhatIsHiddenAsLongAsItsPatience) {
   }
 }
 
+TEST(Tracker, CountsFramesWhereStampsStandStillOrRunBack) {
+  for (const double step : {0.0, -kFrame}) {
+    for (const int hidden : {50, 70}) {
+      Tracker tracker;
+      double time = 10.0;
+      tracker.update({ball({0, 0, 1})}, time);
+      for (int frame = 0; frame < hidden; ++frame) tracker.update({ball({1, 0, 1})}, time += step);
+      const Track back = tracker.update({ball({0, 0, 1})}, time += step).front();
+      EXPECT_EQ(back.id, hidden < 60 ? 1u : 3u) << step;
+    }
+  }
+}
+
 TEST(Tracker, FollowsAPlaneWhoseEndIsHidden) {
   Tracker tracker;
   tracker.update({top({0, 0, 1})}, 0.0);
