@@ -125,15 +125,18 @@ class Bags(unittest.TestCase):
         with rosbag.Bag(path, "a") as bag:
             for frame in range(4):
                 stamp = rospy.Time(FIRST_STAMP, 250000000 * frame + 1000)
-                bag.write("/compared/primitives", PrimitiveArray(points_in=7), stamp)
+                for topic in ("primitives", "points", "parameter_updates"):
+                    bag.write("/compared/" + topic, PrimitiveArray(points_in=7), stamp)
         subprocess.run([DETECT_BAG, path, "--out", found], check=True, stdout=subprocess.DEVNULL)
         with rosbag.Bag(found) as bag:
             offline = [message for _, message, _ in bag.read_messages("/detector/primitives")]
         primitives = self.collect("/compared/primitives", PrimitiveArray)
-        recorded = self.collect("/recorded/compared/primitives", PrimitiveArray)
+        recorded = [self.collect("/recorded/compared/" + topic, PrimitiveArray)
+                    for topic in ("primitives", "points", "parameter_updates")]
         with Launched("bag.launch", "bag:=" + path, "input:=/sensor/points", "name:=compared", "rate:=0.5", "delay:=3"):
-            self.assertTrue(wait_for(lambda: len(primitives.all()) >= len(offline) and len(recorded.all()) >= 4))
-        self.assertEqual([m.points_in for m in recorded.all()], [7] * 4)
+            self.assertTrue(wait_for(lambda: len(primitives.all()) >= len(offline)
+                                     and all(len(one.all()) >= 4 for one in recorded)))
+        self.assertEqual([[m.points_in for m in one.all()] for one in recorded], [[7] * 4] * 3)
         online = primitives.all()
         self.assertEqual((len(offline), len(online)), (4, 4))
         for one, other in zip(online, offline):
