@@ -36,8 +36,8 @@ std::uint64_t checkPcdHead(const std::string& path, const FileHead& head);
 std::optional<SensorPose> pcdViewpoint(const std::string& path, const FileHead& head);
 
 /// The number of points that a PLY claims; throws as that of a PCD. Also refuses what PCL's reader gets wrong or
-/// crashes on: properties named twice, colours that are not consecutive, a range grid that is not num_cols * num_rows
-/// or names vertices that there are not.
+/// crashes on: properties named twice, colours that are not consecutive or have blue before red, a range grid that is
+/// not num_cols * num_rows or names vertices that there are not.
 std::uint64_t checkPlyHead(const std::string& path, const FileHead& head);
 
 /// Lines of numbers that a text body must have; 0: any.

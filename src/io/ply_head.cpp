@@ -131,12 +131,14 @@ const Element* findElement(const PlyHeader& header, const std::string& name) {
   return nullptr;
 }
 
-/// PCL packs colour bytes into one field; it loses its place or aborts when they are not three of a kind in a row.
+/// PCL packs colour bytes into one field; it loses its place or aborts when they are not three of a kind in a row, or
+/// blue comes before red.
 void checkColors(const std::string& path, const Element& vertex) {
   static const std::set<std::string> kPlain = {"red", "green", "blue"};
   static const std::set<std::string> kDiffuse = {"diffuse_red", "diffuse_green", "diffuse_blue"};
   std::set<std::string> names;
   std::vector<std::size_t> places;
+  std::size_t red = 0, blue = 0;
   bool some_bytes = false, all_bytes = true;
   for (std::size_t i = 0; i < vertex.properties.size(); ++i) {
     const Property& property = vertex.properties[i];
@@ -146,10 +148,15 @@ void checkColors(const std::string& path, const Element& vertex) {
     all_bytes = all_bytes && property.type == "uchar";
     names.insert(property.name);
     places.push_back(i);
+    if (property.name == "red" || property.name == "diffuse_red") red = i;
+    if (property.name == "blue" || property.name == "diffuse_blue") blue = i;
   }
   if (!some_bytes) return;
-  if (all_bytes && (names == kPlain || names == kDiffuse) && places.back() - places.front() == 2) return;
-  throw FileError(path, "PLY colours are read only as three uchar properties red, green, blue next to each other");
+  const bool in_a_row = (names == kPlain || names == kDiffuse) && places.back() - places.front() == 2;
+  if (all_bytes && in_a_row && red < blue) return;
+  throw FileError(path,
+                  "PLY colours are read only as three uchar properties red, green, blue next to each other, "
+                  "blue behind red");
 }
 
 /// PCL reads what follows a list from the wrong place.

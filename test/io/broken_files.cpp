@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // A zoo of broken files: each is refused in one line that names file and cause; nothing crashes.
+#include <algorithm>
 
 #include "core/random.h"
 #include "io/point_files.h"
@@ -177,6 +178,24 @@ TEST_F(BrokenFiles, AreRefusedWhenThePlyHeaderIsWrong) {
                   "float z\n") +
                   "1 1 2 3\n",
               "red, green, blue next to each other");
+}
+
+/// PCL writes them beside their point, or aborts the program.
+TEST_F(BrokenFiles, AreRefusedWhenThePlyHasBlueBeforeRed) {
+  for (const std::string prefix : {"", "diffuse_"}) {
+    std::vector<std::string> order = {"blue", "green", "red"};
+    do {
+      std::string colors;
+      for (const std::string& color : order) colors += "property uchar " + prefix + color + "\n";
+      const std::string bytes = ply("ascii", kVertices + colors) + "1 2 3 4 5 6\n1 2 3 4 5 6\n7 8 9 4 5 6\n";
+      const auto place = [&](const char* color) { return std::find(order.begin(), order.end(), color); };
+      if (place("blue") < place("red")) {
+        expectCause("blue.ply", bytes, "blue behind red");
+      } else {
+        EXPECT_EQ(readPointFile(write("red.ply", bytes)).cloud.point(2), Eigen::Vector3f(7, 8, 9).cast<double>());
+      }
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
 }
 
 TEST_F(BrokenFiles, AreRefusedWhenThePngIsNoDepthImage) {
