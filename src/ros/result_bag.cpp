@@ -20,16 +20,30 @@ void naming(const std::string& path, const Work& work) try {
 
 }  // namespace
 
+void ResultBag::Deleter::operator()(rosbag::Bag* bag) const {
+  try {
+    bag->close();
+  } catch (const std::exception&) {
+    return;
+  }
+  delete bag;
+}
+
 ResultBag::ResultBag(const std::string& path) : path_(path), unfinished_(path + ".part") {
-  naming(path_, [this] { bag_.open(unfinished_, rosbag::bagmode::Write); });
+  try {
+    naming(path_, [this] { bag_->open(unfinished_, rosbag::bagmode::Write); });
+  } catch (const std::exception&) {
+    if (bag_->isOpen()) discard();
+    throw;
+  }
 }
 
 ResultBag::~ResultBag() {
-  if (unfinished_.empty()) return;
-  try {
-    bag_.close();
-  } catch (const std::exception&) {  // it goes anyway
-  }
+  if (!unfinished_.empty()) discard();
+}
+
+void ResultBag::discard() {
+  bag_.reset();
   std::error_code ignored;
   std::filesystem::remove(unfinished_, ignored);
 }
@@ -37,14 +51,14 @@ ResultBag::~ResultBag() {
 void ResultBag::write(const ros::Time& recorded, const PrimitiveArray& primitives,
                       const visualization_msgs::MarkerArray& markers) {
   naming(path_, [&] {
-    bag_.write("/detector/primitives", recorded, primitives);
-    bag_.write("/detector/markers", recorded, markers);
+    bag_->write("/detector/primitives", recorded, primitives);
+    bag_->write("/detector/markers", recorded, markers);
   });
 }
 
 void ResultBag::finish() {
   naming(path_, [this] {
-    bag_.close();
+    bag_->close();
     std::filesystem::rename(unfinished_, path_);
   });
   unfinished_.clear();

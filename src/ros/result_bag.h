@@ -7,6 +7,7 @@
 #include <rosbag/bag.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <memory>
 #include <string>
 
 namespace primitect::ros_layer {
@@ -28,8 +29,16 @@ class ResultBag {
   void finish();
 
  private:
+  /// The destructor of a bag that cannot be closed closes it again, and what that throws ends the program: such a bag
+  /// is left as it is.
+  struct Deleter {
+    void operator()(rosbag::Bag* bag) const;
+  };
+
+  void discard();
+
   std::string path_, unfinished_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag, Deleter> bag_{new rosbag::Bag};
 };
 
 }  // namespace primitect::ros_layer

@@ -6,6 +6,7 @@ import io
 import json
 import os
 import random
+import resource
 import subprocess
 import sys
 import tempfile
@@ -103,6 +104,16 @@ class DetectBag(unittest.TestCase):
         self.assertEqual([a.status for a in arrays], [PrimitiveArray.OK, PrimitiveArray.OK, PrimitiveArray.REJECTED_INPUT])
         self.assertEqual(sorted(p.type for p in arrays[0].primitives), [Primitive.PLANE, Primitive.SPHERE])
         self.assertEqual(sorted(os.listdir(self.folder)), ["clouds.bag", "found.bag"])
+
+    def test_says_where_a_disk_is_full_and_leaves_no_bag(self):
+        for size in (4096, 20480):  # the first is too small for what a bag begins with
+            done = subprocess.run([PROGRAM, self.bag, "--out", self.path("found.bag")], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True, check=False, restore_signals=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("found.bag: cannot be written: ", done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertEqual(os.listdir(self.folder), ["clouds.bag"])
 
     def test_writes_pictures_of_clouds_that_were_searched(self):
         folder, points = self.path("made/for/pictures"), wall_and_ball()
