@@ -19,6 +19,7 @@
 #include "tools/output_target.h"
 #include "tools/result_text.h"
 #include "tools/stage_timing.h"
+#include "tools/standard_output.h"
 #include "tools/unlikely.h"
 
 namespace {
@@ -157,7 +158,9 @@ int run(const tools::DetectOptions& options) {
 int main(int argc, char** argv) {
   try {
     const auto options = tools::parseDetectOptions(argc, argv);
-    return options ? run(*options) : kOk;
+    const int exit_code = options ? run(*options) : kOk;
+    tools::flushOutput();
+    return exit_code;
   } catch (const std::invalid_argument& error) {
     std::cerr << "detect: " << error.what() << "\n";
     return kBadUsage;

@@ -16,6 +16,7 @@
 #include "tools/bag_text.h"
 #include "tools/detect_bag_options.h"
 #include "tools/format.h"
+#include "tools/standard_output.h"
 
 namespace {
 
@@ -77,10 +78,6 @@ class Pictures {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void checkOutput() {
-  if (!std::cout) throw std::runtime_error("standard output cannot be written");
-}
-
 int run(const tools::DetectBagOptions& options) {
   JsonLines json(options.json);
   tools::BagSummary summary;
@@ -94,8 +91,8 @@ int run(const tools::DetectBagOptions& options) {
     json.write(frame);
     summary.add(frame);
     damaged = damaged || frame.damaged;
-    if (!json.toStdout()) std::cout << tools::frameLine(frame) << std::flush;
-    checkOutput();
+    if (!json.toStdout()) std::cout << tools::frameLine(frame);
+    tools::flushOutput();
   };
   primitect::ros_layer::ShowPoints draw;
   if (!options.pictures.empty()) {
@@ -112,8 +109,6 @@ int run(const tools::DetectBagOptions& options) {
   if (outcome.unusable_transforms > 0) {
     std::cerr << "detect_bag: " << outcome.unusable_transforms << " transforms could not be used\n";
   }
-  std::cout << std::flush;
-  checkOutput();
   return damaged || !summary.anySearched() ? kBadFile : kOk;
 }
 
@@ -122,7 +117,9 @@ int run(const tools::DetectBagOptions& options) {
 int main(int argc, char** argv) {
   try {
     const auto options = tools::parseDetectBagOptions(argc, argv);
-    return options ? run(*options) : kOk;
+    const int exit_code = options ? run(*options) : kOk;
+    tools::flushOutput();
+    return exit_code;
   } catch (const std::invalid_argument& error) {
     std::cerr << "detect_bag: " << error.what() << "\n";
     return kBadUsage;

@@ -309,6 +309,17 @@ TEST_F(DetectProgram, ReportsOutputsThatCannotBeWritten) {
   expectUsageError(broken + " --labels " + ball + "/labels.ply", {"--labels", "labels.ply", "no directory"});
 }
 
+TEST_F(DetectProgram, EndsWithOneWhereStandardOutputCannotBeWritten) {
+  for (const std::string& arguments :
+       {ball, ball + " --json -", std::string("--print-params"), std::string("--kernels"), std::string("--help")}) {
+    const std::string command =
+        std::string(PRIMITECT_TOOLS_DIR) + "/detect " + arguments + " 2>" + path("said") + " >/dev/full </dev/null";
+    const int status = std::system(command.c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << arguments;
+    EXPECT_EQ(read(path("said")), "detect: standard output cannot be written\n") << arguments;
+  }
+}
+
 TEST_F(DetectProgram, FillsADirectoryForSeveralFiles) {
   const std::string second = write("second.ply", ballPly(1.5));
   const std::string to = path("out/");

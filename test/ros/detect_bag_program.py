@@ -115,6 +115,12 @@ class DetectBag(unittest.TestCase):
             self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
             self.assertEqual(os.listdir(self.folder), ["clouds.bag"])
 
+    def test_says_where_standard_output_cannot_be_written(self):
+        for arguments in (["--print-params"], ["--help"], [self.bag], [self.bag, "--json", "-"]):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (1, "detect_bag: standard output cannot be written\n"))
+
     def test_writes_pictures_of_clouds_that_were_searched(self):
         folder, points = self.path("made/for/pictures"), wall_and_ball()
         with rosbag.Bag(self.bag, "w") as bag:
