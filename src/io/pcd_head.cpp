@@ -118,6 +118,13 @@ std::uint32_t littleEndian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
+/// PCL drops padding before it looks for what follows, which it then takes from the wrong place.
+void refusePadding(const std::string& path, const PcdHeader& header) {
+  const Words& fields = header.words(path, "FIELDS");
+  if (std::count(fields.begin(), fields.end(), "_") == 0) return;
+  throw FileError(path, "fields '_' in a compressed PCD are not supported; one with DATA binary may have them");
+}
+
 void checkCompressed(const std::string& path, const FileHead& head, std::uint64_t begin, std::uint64_t points,
                      std::uint64_t bytes) {
   refuseShort(path, points, 8, head.file_size - begin);
@@ -149,6 +156,7 @@ std::uint64_t checkPcdHead(const std::string& path, const FileHead& head) {
   } else if (data == "binary") {
     refuseShort(path, points, bytes, there);
   } else if (data == "binary_compressed") {
+    refusePadding(path, header);
     checkCompressed(path, head, header.data_begin, points, bytes);
   } else {
     throw FileError(path, "broken PCD header: DATA " + data + ", expected ascii, binary or binary_compressed");

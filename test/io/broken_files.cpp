@@ -113,6 +113,22 @@ TEST_F(BrokenFiles, AreRefusedWithoutUsableFields) {
               "has no field x");
 }
 
+/// PCL leaves out padding of a compressed file, and takes what follows from its place.
+TEST_F(BrokenFiles, AreRefusedWhenACompressedPcdHasPadding) {
+  const auto padded = [](const std::string& data) {
+    return "VERSION 0.7\nFIELDS x y _ z\nSIZE 4 4 1 4\nTYPE F F U F\nCOUNT 1 1 4 1\nWIDTH 2\nHEIGHT 1\nPOINTS "
+           "2\nDATA " +
+           data + "\n";
+  };
+  // One run of bytes as they are, after its length less one.
+  const std::string columns = bytesOf<float>({1, 4, 2, 5}) + std::string(8, '\7') + bytesOf<float>({3, 6});
+  const std::string packed = bytesOf<std::uint32_t>({33, 32}) + '\x1f' + columns;
+  expectCause("packed.pcd", padded("binary_compressed") + packed, "fields '_' in a compressed PCD");
+  const std::string plain = bytesOf<float>({1, 2}) + "pad " + bytesOf<float>({3, 4, 5}) + "pad " + bytesOf<float>({6});
+  const Cloud cloud = readPointFile(write("plain.pcd", padded("binary") + plain)).cloud;
+  EXPECT_EQ(cloud.z, std::vector<float>({3, 6}));
+}
+
 TEST_F(BrokenFiles, AreRefusedWhenThePlyIsTruncated) {
   expectCause("header.ply", "ply\nformat ascii 1.0\n" + kVertices, "header is cut off");
   expectCause("line.ply", ply("ascii", kVertices) + "1.5 2.5 3.5\n4.5 5.5 6.5\n", "truncated PLY");
