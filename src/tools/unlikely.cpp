@@ -12,7 +12,7 @@ namespace primitect::tools {
 namespace {
 
 /// What a search with other parameters finds mostly on points that carry no label yet. Those below this confidence
-/// only; their points are labelled.
+/// only, and faces by their place among these; their points are labelled.
 Detections foundElsewhere(const Cloud& cloud, const Params& params, double below, std::vector<std::uint32_t>& labels) {
   constexpr double kMostly = 0.5;
   Detector detector(params);
@@ -35,8 +35,15 @@ Detections foundElsewhere(const Cloud& cloud, const Params& params, double below
   }
   Detections result = found;
   result.items.clear();
+  std::vector<std::int32_t> places;
   for (std::size_t k = 0; k < all.size(); ++k) {
+    places.push_back(elsewhere[k] ? static_cast<std::int32_t>(result.items.size()) : kNoFace);
     if (elsewhere[k]) result.items.push_back(found.items[k]);
+  }
+  for (Detection& item : result.items) {
+    for (std::int32_t* face : {&item.extent.face_at_minus_z, &item.extent.face_at_plus_z}) {
+      if (*face != kNoFace) *face = places[static_cast<std::size_t>(*face)];
+    }
   }
   return result;
 }

@@ -120,6 +120,35 @@ TEST_F(DetectProgram, ShowsWhatWasTooUnlikelyOnPointsOfNothingElse) {
   EXPECT_EQ(out.find("--unlikely"), std::string::npos) << "it was asked for";
 }
 
+/// Where they are not reported together with it, the planes on which an axis ends are named in the list that it is in.
+TEST_F(DetectProgram, NamesFacesInTheListOfWhatWasTooUnlikely) {
+  ASSERT_EQ(run("--example " + path("table.pcd")), 0) << err;
+  int named = 0;
+  for (const char* limit : {" --min_confidence 1", " --min_confidence 0.9999", " --min_inliers 500"}) {
+    const Json json = runJson(path("table.pcd") + " --unlikely" + limit);
+    for (const char* list : {"unlikely", "few_inliers"}) {
+      for (const Json& item : json[list]) {
+        for (const char* end : {"face_at_minus_z", "face_at_plus_z"}) {
+          const Json face = item["extent"].value(end, Json());
+          if (face.is_null()) continue;
+          ASSERT_LT(face.get<std::size_t>(), json[list].size()) << limit;
+          EXPECT_EQ(json[list][face.get<std::size_t>()]["type"], "plane") << limit;
+          ++named;
+        }
+      }
+    }
+  }
+  EXPECT_GT(named, 4);
+  // The table alone is reported, and the cylinder on it names no more than its own top.
+  const Json few = runJson(path("table.pcd") + " --unlikely --min_inliers 500");
+  ASSERT_EQ(few["primitives"].size(), 1u);
+  const auto can = std::find_if(few["few_inliers"].begin(), few["few_inliers"].end(),
+                                [](const Json& item) { return item["type"] == "cylinder"; });
+  ASSERT_NE(can, few["few_inliers"].end());
+  EXPECT_TRUE((*can)["extent"]["face_at_minus_z"].is_null()) << can->dump(1);
+  EXPECT_TRUE((*can)["extent"]["face_at_plus_z"].is_number()) << can->dump(1);
+}
+
 TEST_F(DetectProgram, PrintsWhereAPlaneFaces) {
   EXPECT_EQ(run(ball), 0);
   EXPECT_NE(out.find("  normal or axis x y z  "), std::string::npos) << out;
