@@ -18,7 +18,7 @@
 namespace primitect::io {
 namespace {
 
-constexpr int kPictureWidth = 1280, kPictureHeight = 960;  // px; small images are scaled up to about that
+constexpr int kPictureWidth = 1280, kPictureHeight = 960;  // px; small images are scaled up to about that width
 
 void drawLines(cv::Mat& picture, const std::vector<Line2>& lines, const cv::Scalar& color) {
   constexpr int kShift = 4;  // sixteenths of a pixel
@@ -138,7 +138,9 @@ cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics
   View view;
   cv::Mat picture;
   if (camera) {
-    const int scale = std::max(1, static_cast<int>(std::lround(static_cast<double>(kPictureWidth) / cloud.width)));
+    // The longer side: an image can be a strip.
+    const double side = std::max(cloud.width, cloud.height);
+    const int scale = std::max(1, static_cast<int>(std::lround(kPictureWidth / side)));
     view = cameraView(*camera, cloud.width, cloud.height, scale);
     picture = drawImage(points, scale);
   } else {

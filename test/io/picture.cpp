@@ -75,6 +75,22 @@ TEST(Pictures, OutlineASphereWhereItProjects) {
   }
 }
 
+TEST(Pictures, AreScaledByTheLongerSide) {
+  const Detections none;
+  const auto sizeOf = [&](std::uint32_t width, std::uint32_t height) {
+    Cloud cloud;
+    cloud.reset(width, height, false);
+    const std::vector<std::uint32_t> labels(cloud.size(), 0);
+    return drawPicture({cloud, {}, labels, none}, kLens, "").size();
+  };
+  EXPECT_EQ(sizeOf(640, 480).width, 1280);
+  EXPECT_EQ(sizeOf(1600, 1200).width, 1600);
+  // With the caption.
+  for (const auto& [width, height] : {std::pair(20, 1000), std::pair(2, 300)}) {
+    EXPECT_LT(sizeOf(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)).height, 1400);
+  }
+}
+
 TEST(Pictures, EstimateTheLensOfAnOrganizedCloud) {
   const Cloud cloud = wall();
   const Detections detections = only(Sphere{{0.0, 0.0, 1.0}, 0.1}, {});
