@@ -66,7 +66,7 @@ OutputTarget::OutputTarget(const std::string& option, const std::string& value, 
     paths_ = pathsInside(option, value, extension, inputs);
     std::error_code error;
     fs::create_directories(value, error);
-    if (error) throw std::invalid_argument(option + ": cannot make directory " + value + ": " + error.message());
+    if (error) throw std::runtime_error(option + ": cannot make directory " + value + ": " + error.message());
     return;
   }
   if (!shared && inputs.size() > 1) {
@@ -102,7 +102,7 @@ void refuseUnwritable(const std::vector<const OutputTarget*>& targets, std::size
                                     folder.string());
       }
       if (::access((fs::exists(file) ? file : folder).c_str(), W_OK) != 0) {
-        throw std::invalid_argument(target->option() + ": " + file.string() + " cannot be written");
+        throw std::runtime_error(target->option() + ": " + file.string() + ": cannot be written");
       }
     }
   }

@@ -14,7 +14,8 @@ class OutputTarget {
   /// `value` is empty (no such output), "-", a file, or a directory: one that exists or a name that ends in '/', which
   /// is then made; it gets <stem of the input><extension> for each input. Throws std::invalid_argument naming the
   /// option when two inputs would get the same file, when an output would overwrite an input or is named as
-  /// another format, or when several inputs share a file and `shared` is false.
+  /// another format, or when several inputs share a file and `shared` is false; std::runtime_error when a directory
+  /// cannot be made.
   OutputTarget(const std::string& option, const std::string& value, const std::string& extension,
                const std::vector<std::string>& inputs, bool shared);
 
@@ -34,8 +35,8 @@ class OutputTarget {
 /// Throws std::invalid_argument naming both options when two of the outputs of so many inputs would be the same file.
 void refuseSharedFiles(const std::vector<const OutputTarget*>& targets, std::size_t inputs);
 
-/// Before the work begins that would be lost: throws std::invalid_argument naming the option when a directory is
-/// missing or must not be written to.
+/// Before the work begins that would be lost: naming the option, throws std::invalid_argument when a directory is
+/// missing, std::runtime_error when it or the file must not be written to.
 void refuseUnwritable(const std::vector<const OutputTarget*>& targets, std::size_t inputs);
 
 /// Writes a whole file; throws std::runtime_error naming it when that fails.

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The program `detect` as a user runs it: results, messages, exit codes.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "detect_fixture.h"
 #include "test/support/png_files.h"
+#include "tools/output_target.h"
 
 namespace detect_program_test {
 namespace {
@@ -338,6 +341,24 @@ TEST_F(DetectProgram, ReportsOutputsThatCannotBeWritten) {
   expectUsageError(broken + " --labels " + ball + "/labels.ply", {"--labels", "labels.ply", "no directory"});
 }
 
+TEST_F(DetectProgram, EndsWithOneWhereAFolderCannotBeWritten) {
+  EXPECT_EQ(run(ball + " --json " + ball + "/sub/"), 1);
+  EXPECT_NE(err.find("--json: cannot make directory " + ball + "/sub/"), std::string::npos) << err;
+  EXPECT_EQ(errorLines(), 1) << err;
+  // As a user whom access rights bind.
+  std::filesystem::create_directories(path("closed"));
+  std::filesystem::permissions(path("closed"), std::filesystem::perms(0555));
+  const primitect::tools::OutputTarget target("--json", path("closed/x.json"), ".json", {ball}, true);
+  const uid_t user = ::getuid();
+  if (user == 0) {
+    ASSERT_EQ(::setreuid(65534, 0), 0);
+  }
+  EXPECT_THROW(primitect::tools::refuseUnwritable({&target}, 1), std::runtime_error);
+  if (user == 0) {
+    ASSERT_EQ(::setreuid(0, 0), 0);
+  }
+}
+
 TEST_F(DetectProgram, EndsWithOneWhereStandardOutputCannotBeWritten) {
   for (const std::string& arguments :
        {ball, ball + " --json -", std::string("--print-params"), std::string("--kernels"), std::string("--help")}) {
@@ -365,6 +386,8 @@ TEST_F(DetectProgram, FillsADirectoryAlsoForFilesThatCannotBeRead) {
   EXPECT_EQ(run(write("broken.ply", "no points") + " " + ball + " --json " + to), 1);
   EXPECT_NE(Json::parse(read(to + "broken.json"))["error"], "");
   EXPECT_TRUE(hasSphere(Json::parse(read(to + "ball.json")), 0.1));
+  EXPECT_EQ(run(path("missing.pcd") + " --json " + to), 1);
+  EXPECT_NE(Json::parse(read(to + "missing.json"))["error"], "") << "of a single one, too";
 }
 
 TEST_F(DetectProgram, CutsDepthImagesButNotUnorganizedFiles) {
