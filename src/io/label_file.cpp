@@ -7,8 +7,12 @@
 #include <pcl/io/ply_io.h>
 #include <pcl/point_types.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "io/kind_color.h"
 
@@ -54,6 +58,22 @@ void writeHeaderAlone(std::ofstream& file) {
   file << "end_header\n";
 }
 
+/// That all of it is there: on a full disk PCL says nothing. Only of files, not of what is written to a pipe.
+void checkWritten(const std::string& path, const Cloud& cloud) {
+  if (!std::filesystem::is_regular_file(path)) return;
+  constexpr std::size_t kVertex = 3 * sizeof(float) + 3 + sizeof(std::uint32_t);  // coordinates, colours, label
+  const std::string end = "end_header\n";
+  std::ifstream file(path, std::ios::binary);
+  std::size_t expected = 0;
+  for (std::string line; expected == 0 && std::getline(file, line);) {
+    if (line + "\n" == end) expected = static_cast<std::size_t>(file.tellg());
+  }
+  expected += kVertex * cloud.valid_count;
+  // Of each cell a list of none or of one vertex.
+  if (cloud.organized()) expected += cloud.size() + sizeof(std::int32_t) * cloud.valid_count;
+  if (std::filesystem::file_size(path) < expected) throw std::runtime_error(path + ": cannot be written as a whole");
+}
+
 }  // namespace
 
 void writeLabels(const std::string& path, const Cloud& cloud, const Detections& detections,
@@ -76,6 +96,7 @@ void writeLabels(const std::string& path, const Cloud& cloud, const Detections& 
   if (pcl::PLYWriter().writeBinary(path, message, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity(), false) < 0) {
     throw std::runtime_error(path + ": cannot be written");
   }
+  checkWritten(path, cloud);
 }
 
 }  // namespace primitect::io

@@ -3,9 +3,13 @@
 // Pictures show each shape where its geometry projects to.
 #include "io/picture.h"
 
+#include <sys/resource.h>
+
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <limits>
+#include <tuple>
 
 #include "io/kind_color.h"
 #include "io/label_file.h"
@@ -229,6 +233,39 @@ TEST_F(LabelFiles, HoldPointsColorsAndLabels) {
       test::bytesOf<std::uint32_t>({1}) + test::bytesOf<float>({4, 5, 6}) +
       test::bytesOf<std::uint8_t>({grey.red, grey.green, grey.blue}) + test::bytesOf<std::uint32_t>({0});
   EXPECT_EQ(bytes.substr(bytes.size() - body.size()), body);
+}
+
+/// Files can have so many bytes, as on a disk that is nearly full, while this lives.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small = {bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_F(LabelFiles, ThatEndTooSoonAreReported) {
+  Cloud cloud;  // an image, with and without missing points, and a list
+  for (const auto& [width, height, every] : {std::tuple(60, 50, 1), std::tuple(60, 50, 3), std::tuple(3000, 1, 3)}) {
+    cloud.reset(width, height, false);
+    for (std::size_t i = 0; i < cloud.size(); i += every) cloud.setPoint(i, static_cast<float>(i), 1.0f, 2.0f, {});
+    const std::vector<std::uint32_t> labels(cloud.size(), 1);
+    EXPECT_NO_THROW(writeLabels(path("labels.ply"), cloud, Detections{}, labels)) << height << " " << every;
+    const auto size = static_cast<rlim_t>(std::filesystem::file_size(path("labels.ply")));
+    const SmallFiles all_but_one(size - 1);
+    EXPECT_THROW(writeLabels(path("labels.ply"), cloud, Detections{}, labels), std::runtime_error) << height;
+  }
 }
 
 TEST_F(LabelFiles, ThatCannotBeWrittenAreReported) {
