@@ -68,7 +68,7 @@ std::vector<Recipe> variedClouds() {
           recipeOf("objects", 315),
           recipeOf("clutter", 303),
           recipeOf("clutter", 306),
-          recipeOf("paper-mixed", 300)};
+          recipeOf("paper-mixed", 301)};
 }
 
 TEST(LeftOutSteps, ChangeWhatComesOut) {
