@@ -62,11 +62,10 @@ void writeHeaderAlone(std::ofstream& file) {
 void checkWritten(const std::string& path, const Cloud& cloud) {
   if (!std::filesystem::is_regular_file(path)) return;
   constexpr std::size_t kVertex = 3 * sizeof(float) + 3 + sizeof(std::uint32_t);  // coordinates, colours, label
-  const std::string end = "end_header\n";
   std::ifstream file(path, std::ios::binary);
   std::size_t expected = 0;
   for (std::string line; expected == 0 && std::getline(file, line);) {
-    if (line + "\n" == end) expected = static_cast<std::size_t>(file.tellg());
+    if (line == "end_header") expected = static_cast<std::size_t>(file.tellg());
   }
   expected += kVertex * cloud.valid_count;
   // Of each cell a list of none or of one vertex.

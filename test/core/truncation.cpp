@@ -205,7 +205,7 @@ TEST(Truncation, OfAConeBehindABarThatHidesItsTipIsByOcclusion) {
   addTable(view.world);
   const int body = view.world.add("cone", synthetic::Frustum{0.3, 0.0, 0.3}, upsideDown(0.3));
   const int cone = view.world.bodies()[static_cast<std::size_t>(body)].first_surface;
-  view.world.add("bar", Box{0.01, 0.3, 0.03}, at(-0.2, 0.0, 0.28));
+  view.world.add("bar", Box{0.01, 0.3, 0.03}, at(-0.2, 0.0, 0.335));  // the last 5 cm
   view.render();
   EXPECT_EQ(view.truncationOf(cone), kTruncatedByOcclusion);
   EXPECT_EQ(view.truncated(cone).unseen_ends, kEndAtMinusZ);
