@@ -83,11 +83,8 @@ void DetectorNodelet::advertise() {
 /// Without the lock: shutting down waits for a running callback, and that may be waiting for the lock.
 /// The outputs first: while they live, somebody who connects makes onConnectionChange() subscribe the input again.
 void DetectorNodelet::stop() {
-  {
-    const Lock lock(mutex_);  // a frame that is under way publishes yet
-    for (ros::Publisher* publisher : {&primitives_, &markers_, &labels_, &normals_}) publisher->shutdown();
-    input_.shutdown();
-  }
+  for (ros::Publisher* publisher : {&primitives_, &markers_, &labels_, &normals_}) publisher->shutdown();
+  input_.shutdown();
   diagnostics_timer_.stop();
   transform_timer_.stop();
   reconfigure_.reset();
