@@ -62,10 +62,10 @@ class Tracker {
  private:
   struct Thing {
     Track track;
-    Sighting last, before;  ///< the last two
-    Vec3 way;               ///< that its axis as a cylinder, or its x, points to; a cone in between may not
-    double seen = 0.0;      ///< s, the last one
-    std::uint32_t unseen;   ///< frames since then
+    Sighting last, before;     ///< the last two
+    Vec3 way;                  ///< that its axis as a cylinder, or its x, points to; a cone in between may not
+    double seen = 0.0;         ///< s, the last one
+    std::uint32_t unseen = 0;  ///< frames since then
   };
   /// A thing of before that may be a sighting.
   struct Match {

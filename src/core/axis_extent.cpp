@@ -23,10 +23,10 @@ struct AxisRange {
 };
 
 /// Of all inliers, not of some alone: the tip of a cone is a pixel or two. Along the axis, m; of at least one.
-struct Outermost {
+struct OutermostHeights {
   double low, next, high;  ///< next: the second lowest
 
-  Outermost(const Vec3& point, const Vec3& axis, const SeenPoints& inliers) {
+  OutermostHeights(const Vec3& point, const Vec3& axis, const SeenPoints& inliers) {
     List<float> heights(inliers.size());
     heightsAlong(axis, inliers.x.data(), inliers.y.data(), inliers.z.data(), inliers.size(), heights.data());
     float lowest = heights.front(), second = std::numeric_limits<float>::infinity(), highest = lowest;
@@ -64,7 +64,7 @@ double endFrom(double one, double two, double all, Surface surface) {
 /// The narrow end of a cone (heights from its apex): one that may be its tip, as far as so few points tell, whose
 /// number has a deviation of its root, lies at the outermost point, at the next one where the outermost is a straggler;
 /// any other at `end`. one, two: heights that one and two hundredths of the points, `few` each, lie beyond.
-double narrowEnd(double end, const Outermost& outermost, double one, double two, std::size_t few) {
+double narrowEnd(double end, const OutermostHeights& outermost, double one, double two, std::size_t few) {
   constexpr double kDeviations = 2.0, kStraggler = 4.0;  // times the surface that there is for each point
   if (few == 0) return std::max(outermost.low, end);
   const auto areaOf = [](double height) { return areaUpTo(height, Surface::tapered); };
@@ -87,7 +87,7 @@ AxisRange rangeAlong(const Vec3& point, const Vec3& axis, const SeenPoints& all,
   std::nth_element(low, high, end);
   const double to = origin + *high;
   if (ends == Ends::without_stragglers) return {from, to};
-  const Outermost outermost(point, axis, all);
+  const OutermostHeights outermost(point, axis, all);
   float *const low_two = low + few, *const high_two = high - few;
   std::nth_element(low, low_two, high + 1);
   const double from_two = origin + *low_two;

@@ -45,7 +45,7 @@ class Thinning {
 };
 
 /// The outermost pixels of a label: the tip of a cone is one of them, whichever way it points.
-class Outermost {
+class OutermostPixels {
  public:
   void see(const LabelRun& run, std::uint32_t width) {
     if (!any_) top_ = run.begin;
@@ -97,7 +97,7 @@ void pointsOfLabels(const List<LabelRun>& runs, std::uint32_t width, const List<
   }
   List<Thinning> thinnings;
   for (std::size_t k = 0; k < count; ++k) thinnings.emplace_back(points[k].all / wanted[k].most + 1);
-  List<Outermost> outermost(count);
+  List<OutermostPixels> outermost(count);
   for (const LabelRun& run : runs) {
     if (run.label > count) continue;
     const std::size_t k = run.label - 1;

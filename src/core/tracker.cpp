@@ -156,7 +156,7 @@ const std::vector<Track>& Tracker::update(const std::vector<Sighting>& sightings
     if (thing_of_[s] == kNone) {
       track.id = next_id_++;
       thing_of_[s] = things_.size();
-      things_.push_back({track, sightings[s], sightings[s], wayOf(sightings[s]), seconds, 0});
+      things_.push_back({track, sightings[s], sightings[s], wayOf(sightings[s]), seconds});
       continue;
     }
     Thing& thing = things_[thing_of_[s]];
