@@ -172,10 +172,7 @@ std::vector<double> curveEpsilons() {
 
 /// Coverage is about the points as they were measured; when the detector got a part of them, or in another order, those
 /// that are scored.
-const Cloud& measuredPoints(const LabelledCloud& input) {
-  const bool point_by_point = input.cloud.size() == input.scored.size() && !input.recipe.shuffle;
-  return point_by_point ? input.cloud : input.scored;
-}
+const Cloud& measuredPoints(const LabelledCloud& input) { return isPointByPoint(input) ? input.cloud : input.scored; }
 
 }  // namespace
 

@@ -48,4 +48,9 @@ struct LabelledCloud {
   Rules rules;        ///< how results on it are scored
 };
 
+/// A detector gets the points that are scored, in their order.
+inline bool isPointByPoint(const LabelledCloud& input) {
+  return input.cloud.size() == input.scored.size() && !input.recipe.shuffle;
+}
+
 }  // namespace primitect::eval

@@ -80,9 +80,11 @@ class Search {
   explicit Search(Detector& detector) : detector_(detector) {}
 
   const Detections& detect(const Cloud& cloud, bool from_camera) {
+    was_moved_ = false;
     if (!from_camera || cloud.organized()) return detector_.detect(cloud);
     const CameraSearch found = searchForCamera(cloud);
     if (!found.cloud_from_camera) return detector_.detect(cloud);
+    was_moved_ = true;
     moved_ = cloud;
     moved_.move(found.cloud_from_camera->inverse(), DepthRange());
     found_ = detector_.detect(moved_);
@@ -90,8 +92,14 @@ class Search {
     return found_;
   }
 
+  /// Of the cloud given to the last detect().
+  void label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
+    detector_.label(was_moved_ ? moved_ : cloud, labels);
+  }
+
  private:
   Detector& detector_;
+  bool was_moved_ = false;
   Cloud moved_;
   Detections found_;
 };
@@ -116,6 +124,7 @@ Answer detectTimed(Detector& detector, const LabelledCloud& input, int repeat) {
     if (detections.status != Status::ok) answer.failure = statusName(detections.status);
   }
   for (const Detection& detection : answer.detections) answer.shapes.push_back(detection.shape);
+  search.label(input.cloud, answer.labels);
   detector.onStageDone(nullptr);
   return answer;
 }

@@ -3,6 +3,7 @@
 // The detectors that are compared, ours and peers, behind one face.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace primitect::eval {
 struct Answer {
   std::vector<Shape> shapes;
   std::vector<Detection> detections;  ///< ours: all that is said of each shape; peers: empty
+  std::vector<std::uint32_t> labels;  ///< ours: of each point of the cloud, see Detector::label(); peers: empty
   double total_ms = 0.0;              ///< cloud in memory -> shapes; without reading files and without foreign normals
   double cpu_ms = -1.0;               ///< peers: processor time of it; -1: unknown
   double vote_ms = -1.0;              ///< ours: the voting stage alone; -1: has none

@@ -9,6 +9,7 @@
 
 #include "eval/data_sets.h"
 #include "eval/extent_errors.h"
+#include "eval/label_score.h"
 #include "eval/nees.h"
 #include "eval/peers/peers.h"
 #include "primitect/steps.h"
@@ -94,13 +95,19 @@ Json extentJson(const TrueShape& truth, const Detection& found) {
   return json;
 }
 
-/// Confidence, evidence and normalised errors only where the method tells them.
+/// Confidence, evidence, normalised errors and labels only where the method tells them.
 Json detectionsJson(const LabelledCloud& input, const Answer& answer, const CaseScore& score) {
+  std::vector<std::optional<LabelScore>> labels(answer.shapes.size());
+  if (!answer.labels.empty()) labels = scoreLabels(input, answer.labels, score);
   Json json = Json::array();
   for (std::size_t d = 0; d < answer.shapes.size(); ++d) {
     const Kind kind = kindOf(answer.shapes[d]);
     Json entry = {{"kind", kindName(kind)}, {"verdict", verdictName(score.verdicts[d])}};
     if (score.lies_on[d]) entry["on"] = kindName(*score.lies_on[d]);
+    if (labels[d]) {
+      entry["labels"] = {
+          {"labelled", labels[d]->labelled}, {"on_shape", labels[d]->on_shape}, {"both", labels[d]->both}};
+    }
     if (d < answer.detections.size()) {
       const Detection& detection = answer.detections[d];
       if (detection.confidence >= 0.0f) {
