@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Topics are chosen by their types; a depth image takes the last camera_info before it, or else the first one.
+// Topics are chosen by their types; depth images become clouds.
 #include "bag_clouds.h"
 
 #include <rosbag/view.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 
@@ -15,6 +14,7 @@
 
 #include "compressed_depth.h"
 #include "depth_clouds.h"
+#include "recorded_messages.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -77,25 +77,23 @@ std::string cameraInfoBeside(const std::string& image) {
   return (raw.empty() ? "/" : raw.substr(0, raw.rfind('/') + 1)) + "camera_info";
 }
 
-/// Throws std::runtime_error where its fields are others than those of this version.
-template <class Message>
-boost::shared_ptr<Message const> messageOf(const rosbag::MessageInstance& recorded) {
-  const auto message = recorded.instantiate<Message>();
-  if (!message) throw std::runtime_error("its " + recorded.getDataType() + " has other fields than that of this ROS");
-  return message;
+/// Which of the topics it is, with or without a slash in front: programs that are no nodes record names without.
+std::string recordedName(const Types& types, const std::string& topic) {
+  if (types.count(topic) > 0 || topic.empty()) return topic;
+  const std::string other = topic.front() == '/' ? topic.substr(1) : "/" + topic;
+  return types.count(other) > 0 ? other : topic;
 }
 
-/// Whatever it was packed in.
-sensor_msgs::ImageConstPtr imageOf(const rosbag::MessageInstance& recorded) {
-  if (!recorded.isType<sensor_msgs::CompressedImage>()) return messageOf<sensor_msgs::Image>(recorded);
-  return unpackedDepth(*messageOf<sensor_msgs::CompressedImage>(recorded));
-}
-
-/// Null where it cannot be read: then the one before it counts.
-sensor_msgs::CameraInfoConstPtr cameraOf(const rosbag::MessageInstance& recorded) try {
-  return messageOf<sensor_msgs::CameraInfo>(recorded);
-} catch (const std::exception&) {
-  return nullptr;
+/// Whatever it was packed in. The header is told before anything else is wrong.
+sensor_msgs::ImageConstPtr imageOf(const rosbag::MessageInstance& recorded, std::optional<std_msgs::Header>& header) {
+  if (!recorded.isType<sensor_msgs::CompressedImage>()) {
+    const auto image = messageOf<sensor_msgs::Image>(recorded);
+    header = image->header;
+    return image;
+  }
+  const auto packed = messageOf<sensor_msgs::CompressedImage>(recorded);
+  header = packed->header;
+  return unpackedDepth(*packed);
 }
 
 }  // namespace
@@ -103,11 +101,13 @@ sensor_msgs::CameraInfoConstPtr cameraOf(const rosbag::MessageInstance& recorded
 BagClouds::BagClouds(const BagJob& job) {
   for (const std::string& path : job.bags) {
     if (!std::filesystem::exists(path)) throw std::runtime_error(path + ": no such file");
+    if (std::filesystem::is_directory(path)) throw std::runtime_error(path + ": is a folder, expected is a bag");
     bags_.push_back(opened(path));
   }
   rosbag::View all;
   for (const auto& bag : bags_) all.addQuery(*bag);
   chooseTopic(job, all.getConnections());
+  if (!camera_info_.empty()) cameras_.emplace(bags_, camera_info_);
   begin_ = all.getBeginTime() + ros::Duration(job.start);
   if (job.duration > 0.0) end_ = begin_ + ros::Duration(job.duration);
   rosbag::View wanted;
@@ -133,7 +133,7 @@ void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::C
     }
     topic_ = topics.begin()->first;
   }
-  if (types.count(topic_) == 0 && types.count("/" + topic_) > 0) topic_ = "/" + topic_;
+  topic_ = recordedName(types, topic_);
   const std::string type = types.count(topic_) > 0 ? types[topic_] : "";
   if (type.empty()) throw std::runtime_error("there is no topic " + topic_ + ", but: " + listText(types));
   if (type == cloud && !job.camera_info.empty()) {
@@ -144,53 +144,39 @@ void BagClouds::chooseTopic(const BagJob& job, const std::vector<const rosbag::C
     throw std::runtime_error(topic_ + " is a " + type + ", expected is a " + cloud + ", " + image + " or " +
                              typeName<sensor_msgs::CompressedImage>());
   }
-  camera_info_ = job.camera_info.empty() ? cameraInfoBeside(topic_) : job.camera_info;
+  camera_info_ = recordedName(types, job.camera_info.empty() ? cameraInfoBeside(topic_) : job.camera_info);
   if (types.count(camera_info_) > 0 && types[camera_info_] == typeName<sensor_msgs::CameraInfo>()) return;
   throw std::runtime_error("the depth image " + topic_ + " needs a camera_info, and " + camera_info_ +
                            " is none; there is: " + listText(types));
 }
 
-RecordedCloud BagClouds::read(const rosbag::MessageInstance& recorded, const sensor_msgs::CameraInfo* camera) const {
-  RecordedCloud cloud;
-  cloud.recorded = recorded.getTime();
-  try {
-    if (ofDepthImages()) {
-      const auto image = imageOf(recorded);
-      cloud.header = image->header;
-      if (!camera) throw std::runtime_error("no camera_info before it can be read");
-      cloud.cloud = cloudOf(image, *camera);
-    } else {
-      cloud.cloud = messageOf<sensor_msgs::PointCloud2>(recorded);
-      cloud.header = cloud.cloud->header;
-    }
-  } catch (const rosbag::BagException& error) {
-    cloud.damaged = true;
-    cloud.problem = std::string("the bag is damaged there: ") + error.what();
-  } catch (const std::exception& error) {
-    cloud.problem = error.what();
+void BagClouds::read(const rosbag::MessageInstance& recorded, RecordedCloud& cloud) const {
+  if (!cameras_) {
+    cloud.cloud = messageOf<sensor_msgs::PointCloud2>(recorded);
+    cloud.header = cloud.cloud->header;
+    return;
   }
-  return cloud;
+  const auto image = imageOf(recorded, cloud.header);
+  const RecordedCameras::Camera camera = cameras_->of(image->header.stamp, recorded.getTime());
+  cloud.camera_of_other_stamp = !camera.of_stamp;
+  cloud.cloud = cloudOf(image, *camera.info);
 }
 
-/// Of cameras all count, also those before the time that is asked for.
 void BagClouds::forEach(const std::function<void(const RecordedCloud&)>& use) const {
-  sensor_msgs::CameraInfoConstPtr camera;
   rosbag::View view;
-  for (const auto& bag : bags_) {
-    view.addQuery(*bag, rosbag::TopicQuery(topic_), begin_, end_);
-    if (ofDepthImages()) view.addQuery(*bag, rosbag::TopicQuery(camera_info_), ros::TIME_MIN, end_);
-  }
-  if (ofDepthImages()) {
-    rosbag::View cameras;
-    for (const auto& bag : bags_) cameras.addQuery(*bag, rosbag::TopicQuery(camera_info_));
-    if (cameras.size() > 0) camera = cameraOf(*cameras.begin());
-  }
+  for (const auto& bag : bags_) view.addQuery(*bag, rosbag::TopicQuery(topic_), begin_, end_);
   for (const rosbag::MessageInstance& recorded : view) {
-    if (recorded.getTopic() == topic_) {
-      use(read(recorded, camera.get()));
-    } else if (const auto newer = cameraOf(recorded)) {
-      camera = newer;
+    RecordedCloud cloud;
+    cloud.recorded = recorded.getTime();
+    try {
+      read(recorded, cloud);
+    } catch (const BagDamage& damage) {
+      cloud.damaged = true;
+      cloud.problem = damage.what();
+    } catch (const std::exception& error) {
+      cloud.problem = error.what();
     }
+    use(cloud);
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/message_instance.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <functional>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "bag_job.h"
+#include "recorded_cameras.h"
 
 namespace primitect::ros_layer {
 
@@ -24,6 +24,7 @@ struct RecordedCloud {
   sensor_msgs::PointCloud2ConstPtr cloud;  ///< null: it could not be read
   std::string problem;                     ///< why
   bool damaged = false;                    ///< it is the bag that cannot be read there
+  bool camera_of_other_stamp = false;      ///< made of a depth image that no camera_info has the stamp of
 };
 
 class BagClouds {
@@ -39,12 +40,12 @@ class BagClouds {
   const std::vector<std::unique_ptr<rosbag::Bag>>& bags() const { return bags_; }
 
  private:
-  bool ofDepthImages() const { return !camera_info_.empty(); }
   void chooseTopic(const BagJob& job, const std::vector<const rosbag::ConnectionInfo*>& connections);
-  RecordedCloud read(const rosbag::MessageInstance& recorded, const sensor_msgs::CameraInfo* camera) const;
+  void read(const rosbag::MessageInstance& recorded, RecordedCloud& cloud) const;
 
   std::vector<std::unique_ptr<rosbag::Bag>> bags_;
-  std::string topic_, camera_info_;  ///< the latter of depth images only
+  std::string topic_, camera_info_;         ///< the latter of depth images only
+  std::optional<RecordedCameras> cameras_;  ///< of these
   ros::Time begin_ = ros::TIME_MIN, end_ = ros::TIME_MAX;
 };
 

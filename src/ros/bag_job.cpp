@@ -46,6 +46,7 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
   std::optional<ResultBag> output;
   if (!job.output.empty()) output.emplace(job.output);
   std::optional<ros::Time> first;
+  std::size_t unpaired_images = 0;
   clouds.forEach([&](const RecordedCloud& recorded) {
     if (recorded.header && sequence.begin(recorded.header->stamp)) markers.startAnew();
     const PrimitiveArray message =
@@ -53,6 +54,7 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
     if (output) output->write(recorded.recorded, message, markers.update(message, sequence.markerStyle()));
     if (recorded.cloud) sequence.pipeline().published();
     if (!first) first = recorded.recorded;
+    unpaired_images += recorded.camera_of_other_stamp ? 1 : 0;
     const std::string& refused = recorded.cloud ? sequence.problem() : recorded.problem;
     Detections detections = fromMessage(message);
     if (recorded.cloud) detections.refusals = sequence.pipeline().refusals();
@@ -74,7 +76,7 @@ BagOutcome detectInBags(const BagJob& job, const std::function<void(const io::Fr
     show(report, {seen, depthRangeOf(job.params), pipeline.pointLabels(), pipeline.detections()});
   });
   if (output) output->finish();
-  return {clouds.topic(), transforms ? transforms->unusable() : 0};
+  return {clouds.topic(), transforms ? transforms->unusable() : 0, unpaired_images};
 }
 
 }  // namespace primitect::ros_layer

@@ -29,6 +29,8 @@ struct BagJob {
 struct BagOutcome {
   std::string topic;                    ///< that was read
   std::size_t unusable_transforms = 0;  ///< that could not be read, or are none
+  /// Depth images without a camera_info of their stamp: nodes, which pair them by that, hear none of them.
+  std::size_t unpaired_images = 0;
 };
 
 /// What the sensor saw in a frame that was searched, and what was found there, in the sensor's frame.

@@ -8,6 +8,7 @@
 #include <sensor_msgs/image_encodings.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -41,6 +42,28 @@ void checkImage(const sensor_msgs::Image& depth) {
                            std::to_string(depth.data.size()) + " bytes");
 }
 
+/// Columns or rows of a camera's images.
+struct Length {
+  std::uint32_t sensor, part, binning;  ///< 0: not told, the whole, none
+
+  std::uint32_t pixels() const { return (part > 0 ? part : sensor) / std::max(binning, 1u); }
+  /// What is binned may have been rounded up.
+  bool fits(std::uint32_t image) const {
+    return pixels() == 0 || image == pixels() || (binning > 1 && image == pixels() + 1);
+  }
+};
+
+/// What it tells of another size than the image's would put every point elsewhere.
+void checkSize(const sensor_msgs::Image& depth, const sensor_msgs::CameraInfo& camera) {
+  const Length width = {camera.width, camera.roi.width, camera.binning_x};
+  const Length height = {camera.height, camera.roi.height, camera.binning_y};
+  const bool empty = depth.width == 0 || depth.height == 0;
+  if (empty || (width.fits(depth.width) && height.fits(depth.height))) return;
+  throw std::runtime_error("the image has " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
+                           " pixels, and its camera_info is of " + std::to_string(width.pixels()) + " x " +
+                           std::to_string(height.pixels()));
+}
+
 image_geometry::PinholeCameraModel modelOf(const sensor_msgs::CameraInfo& camera) {
   constexpr std::size_t kFx = 0, kFy = 5;  // in the projection matrix
   if (!(camera.P[kFx] > 0.0) || !(camera.P[kFy] > 0.0)) {
@@ -55,6 +78,7 @@ image_geometry::PinholeCameraModel modelOf(const sensor_msgs::CameraInfo& camera
 
 sensor_msgs::PointCloud2::Ptr cloudOf(const sensor_msgs::ImageConstPtr& depth, const sensor_msgs::CameraInfo& camera) {
   checkImage(*depth);
+  checkSize(*depth, camera);
   const image_geometry::PinholeCameraModel model = modelOf(camera);
   sensor_msgs::PointCloud2::Ptr cloud(new sensor_msgs::PointCloud2);
   cloud->header = depth->header;

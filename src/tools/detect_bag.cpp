@@ -109,6 +109,11 @@ int run(const tools::DetectBagOptions& options) {
   if (outcome.unusable_transforms > 0) {
     std::cerr << "detect_bag: " << outcome.unusable_transforms << " transforms could not be used\n";
   }
+  if (outcome.unpaired_images > 0) {
+    std::cerr
+        << "detect_bag: note: no camera_info has the stamp of " << outcome.unpaired_images
+        << " images; they took the last one before them, and nodes, which wait for their own, hear none of them\n";
+  }
   return damaged || !summary.anySearched() ? kBadFile : kOk;
 }
 

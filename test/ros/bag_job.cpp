@@ -251,6 +251,38 @@ TEST_F(BagJobs, TakeNoImageOrCameraThatCannotBeRight) {
   EXPECT_NE(refusalOf(other).find("at most 16777216"), std::string::npos);
 }
 
+/// Of an image of 4 x 2 pixels.
+std::string refusalOf(const sensor_msgs::CameraInfo& camera) {
+  sensor_msgs::ImagePtr image(new sensor_msgs::Image);
+  image->width = 4, image->height = 2, image->encoding = "16UC1", image->step = 8;
+  image->data.resize(16);
+  try {
+    cloudOf(image, camera);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(BagJobs, TakeNoCameraOfAnotherSizeThanTheImages) {
+  sensor_msgs::CameraInfo camera;
+  camera.P = {100, 0, 1, 0, 0, 100, 0, 0, 0, 0, 1, 0};
+  EXPECT_EQ(refusalOf(camera), "") << "it does not tell its size";
+  camera.width = 4, camera.height = 2;
+  EXPECT_EQ(refusalOf(camera), "");
+  camera.width = 8, camera.height = 4;
+  EXPECT_EQ(refusalOf(camera), "the image has 4 x 2 pixels, and its camera_info is of 8 x 4");
+  camera.binning_x = camera.binning_y = 2;
+  EXPECT_EQ(refusalOf(camera), "");
+  camera.width = 7, camera.height = 3;
+  EXPECT_EQ(refusalOf(camera), "") << "rounded up";
+  camera.width = 640, camera.height = 480;
+  camera.roi.width = 8, camera.roi.height = 4;
+  EXPECT_EQ(refusalOf(camera), "");
+  camera.binning_x = camera.binning_y = 1;
+  EXPECT_NE(refusalOf(camera).find("camera_info is of 8 x 4"), std::string::npos);
+}
+
 TEST_F(BagJobs, TakeSeveralBagsForOneRecordingWhoseTracksGoOn) {
   const std::string later = cloudBag("1.bag", 2, 2), earlier = cloudBag("0.bag", 0, 2);
   const std::vector<Detections> found = foundIn(jobOf({later, earlier}));
@@ -445,8 +477,70 @@ TEST_F(BagJobs, TakeTheLastCameraBeforeAnImageAlsoFromBeforeTheirTime) {
   const auto image = depthImage(headerAt(2), depthAt(2), kCamera, "16UC1");
   const Detections right = fromMessage(pipeline.process(*cloudOf(image, *cameraInfo(headerAt(2), kCamera))));
   expectSame(foundIn(job).at(0), right);
+  EXPECT_EQ(detectInBags(job, [](const io::FrameReport&) {}).unpaired_images, 1u) << "none has its stamp";
   job.start = 0.15;  // after both cameras
   expectSame(foundIn(job).at(0), right);
+}
+
+TEST_F(BagJobs, TakeTheCameraWithTheStampOfAnImageAlsoFromAfterIt) {
+  {
+    rosbag::Bag bag(path("cameras.bag"), rosbag::bagmode::Write);
+    sensor_msgs::CameraInfo right = *cameraInfo(headerAt(1), kCamera), wrong = *cameraInfo(headerAt(0), kCamera);
+    wrong.P[0] = wrong.P[5] = 10.0 * right.P[0];
+    bag.write("/camera/depth/camera_info", recordedAt(0), wrong);
+    bag.write("/camera/depth/image_raw", recordedAt(1), depthImage(headerAt(1), depthAt(1), kCamera, "16UC1"));
+    bag.write("/camera/depth/camera_info", recordedAt(2), right);
+  }
+  FramePipeline pipeline{Params()};
+  const auto image = depthImage(headerAt(1), depthAt(1), kCamera, "16UC1");
+  const BagJob job = jobOf({path("cameras.bag")});
+  expectSame(foundIn(job).at(0), fromMessage(pipeline.process(*cloudOf(image, *cameraInfo(headerAt(1), kCamera)))));
+  EXPECT_EQ(detectInBags(job, [](const io::FrameReport&) {}).unpaired_images, 0u);
+}
+
+TEST_F(BagJobs, FindTopicsThatWereRecordedWithoutASlash) {
+  {
+    rosbag::Bag bag(path("names.bag"), rosbag::bagmode::Write);
+    bag.write("camera_info", headerAt(0).stamp, cameraInfo(headerAt(0), kCamera));
+    bag.write("image", headerAt(0).stamp, depthImage(headerAt(0), depthAt(0), kCamera, "16UC1"));
+  }
+  BagJob job = jobOf({path("names.bag")});
+  EXPECT_GT(foundIn(job).at(0).items.size(), 3u);
+  job.topic = "/image";
+  job.camera_info = "/camera_info";
+  EXPECT_GT(foundIn(job).at(0).items.size(), 3u);
+}
+
+TEST_F(BagJobs, TellStampAndFrameOfAnImageThatCannotBeUnpacked) {
+  {
+    rosbag::Bag bag(path("rvl.bag"), rosbag::bagmode::Write);
+    sensor_msgs::CompressedImage image = packed(*depthImage(headerAt(1), depthAt(1), kCamera, "16UC1"));
+    image.format = "16UC1; compressedDepth rvl";
+    bag.write("/camera/depth/camera_info", headerAt(1).stamp, cameraInfo(headerAt(1), kCamera));
+    bag.write("/camera/depth/image_raw/compressedDepth", headerAt(1).stamp, image);
+  }
+  detectInBags(jobOf({path("rvl.bag")}), [](const io::FrameReport& frame) {
+    EXPECT_NE(frame.problem.find("not RVL"), std::string::npos) << frame.problem;
+    EXPECT_EQ(frame.frame_id, "camera");
+    EXPECT_EQ(frame.nsecs, 100000000u);
+    EXPECT_FALSE(frame.damaged);
+  });
+}
+
+TEST_F(BagJobs, SayThatTheBagIsDamagedWhereAMessageRunsBeyondItsEnd) {
+  std::string bytes = read(depthBag("16UC1"));
+  const std::size_t length = bytes.rfind(test::bytesOf<std::uint32_t>({5}) + "16UC1");  // of the last one's encoding
+  ASSERT_NE(length, std::string::npos);
+  bytes[length + 2] = '\x7f';
+  write("depth.bag", bytes);
+  std::vector<bool> damaged;
+  std::string problem;
+  detectInBags(jobOf({path("depth.bag")}), [&](const io::FrameReport& frame) {
+    damaged.push_back(frame.damaged);
+    problem = frame.problem;
+  });
+  EXPECT_EQ(damaged, (std::vector<bool>{false, true}));
+  EXPECT_NE(problem.find("the bag is damaged there: "), std::string::npos) << problem;
 }
 
 TEST_F(BagJobs, LeaveABagOfPrimitivesAndMarkers) {
@@ -547,6 +641,7 @@ TEST_F(BagJobs, RefuseWhatIsNoBag) {
   const std::string refusal = refusalOf(jobOf({write("no.bag", "no bag")}));
   EXPECT_EQ(refusal.find(path("no.bag")), 0u) << refusal;
   EXPECT_EQ(refusalOf(jobOf({path("none.bag")})), path("none.bag") + ": no such file");
+  EXPECT_EQ(refusalOf(jobOf({path("")})), path("") + ": is a folder, expected is a bag");
 }
 
 }  // namespace
