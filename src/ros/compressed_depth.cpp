@@ -30,7 +30,9 @@ static_assert(sizeof(Parameters) == 12);
 std::string encodingOf(const std::string& format) {
   const std::string encoding = format.substr(0, format.find(';'));
   const bool packed = format.find("compressedDepth") != std::string::npos;
-  if (!packed || (encoding != encodings::TYPE_16UC1 && encoding != encodings::TYPE_32FC1)) {
+  const bool known =
+      encoding == encodings::TYPE_16UC1 || encoding == encodings::MONO16 || encoding == encodings::TYPE_32FC1;
+  if (!packed || !known) {
     throw std::runtime_error("the image's format is '" + format +
                              "', expected is '16UC1; compressedDepth png' or '32FC1; compressedDepth png'");
   }

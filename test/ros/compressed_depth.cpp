@@ -60,6 +60,9 @@ TEST(CompressedDepth, OfMillimetresIsWhatItWas) {
     EXPECT_EQ(image->step, 6u);
     EXPECT_EQ(valuesOf<std::uint16_t>(*image), (std::vector<std::uint16_t>{0, 1, 1000, 65535, 7, 300}));
   }
+  const auto mono = unpackedDepth(packed(kStored, "mono16; compressedDepth png"));
+  EXPECT_EQ(mono->encoding, "mono16");
+  EXPECT_EQ(valuesOf<std::uint16_t>(*mono), (std::vector<std::uint16_t>{0, 1, 1000, 65535, 7, 300}));
 }
 
 TEST(CompressedDepth, OfMetresIsWhatSixteenBitsOfInverseDepthTell) {

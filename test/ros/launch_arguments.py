@@ -159,6 +159,11 @@ class LaunchedBag(unittest.TestCase):
                       "(input:=/lens/points)", words("bag.launch", "bag:=" + BAG, "input:=wrong"))
         self.assertNotIn("in the bag", words("bag.launch", "bag:=" + BAG, "input:=/lens/points"))
 
+    def test_has_topics_that_were_recorded_without_a_slash(self):
+        bag = bag_of("names.bag", {"image": Image, "camera_info": CameraInfo})
+        for topic in ("image", "/image"):
+            self.assertEqual(checked("--depth", topic, bag), "")
+
     def test_of_images_tells_how_they_are_taken(self):
         bag = bag_of("images.bag", {"/lens/image": Image, "/lens/packed/compressedDepth": CompressedImage,
                                     "/lens/photo": CompressedImage})
