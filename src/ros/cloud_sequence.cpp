@@ -55,7 +55,7 @@ PrimitiveArray& CloudSequence::detect(const sensor_msgs::PointCloud2& cloud, boo
     sensor_from_cloud = lookup_(sensor, source, cloud.header.stamp);
   } catch (const std::exception& error) {  // tf2 has its own, ros::Duration another
     const std::string from_to = "from '" + source + "' to sensor_frame '" + sensor + "'";
-    return pipeline_.withoutTransform(cloud.header, "no transform " + from_to + ": " + error.what());
+    return pipeline_.withoutTransform(cloud, "no transform " + from_to + ": " + error.what());
   }
   PrimitiveArray& message = pipeline_.process(cloud, with_labels, sensor_from_cloud);
   message.header.frame_id = sensor;

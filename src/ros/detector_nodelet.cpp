@@ -127,8 +127,10 @@ void DetectorNodelet::processCloud(const sensor_msgs::PointCloud2& cloud) {
   FrameView view = {done.seenFromOrigin(), done.normalsFaceAway(), done.imageNoise(), done.depthWaves(), std::nullopt};
   view.found_camera = done.foundCamera();
   diagnostics_->frameDone(message, done.refusals(), view, refused.empty() ? sequence_->frameProblem() : refused);
-  publish(message);
+  if (primitives_.getNumSubscribers() > 0) primitives_.publish(message);
   pipeline().published();
+  publishPictures(message);
+  pipeline().times().recordAfter("publish");
   warnIfHopeless();
   warnIfNotSeenFromOrigin();
   warnIfOriginIsAssumed();
@@ -238,8 +240,8 @@ void DetectorNodelet::warnIfSilent() {
                                 << DetectorDiagnostics::kSilenceSeconds << " s; " << why);
 }
 
-void DetectorNodelet::publish(const PrimitiveArray& message) {
-  if (primitives_.getNumSubscribers() > 0) primitives_.publish(message);
+/// What is there to be looked at. After the time that max_latency bounds: fewer samples would not make it quicker.
+void DetectorNodelet::publishPictures(const PrimitiveArray& message) {
   if (markers_.getNumSubscribers() > 0) {
     markers_.publish(marker_writer_.update(message, sequence_->markerStyle()));
   }

@@ -38,7 +38,7 @@ class DetectorNodelet : public nodelet::Nodelet {
   void onDiagnosticsTimer();
 
   void processCloud(const sensor_msgs::PointCloud2& cloud);
-  void publish(const PrimitiveArray& message);
+  void publishPictures(const PrimitiveArray& message);
   /// What is wrong with the last cloud and its frames, now and then; that a transform is there again. status: of the
   /// message for it.
   void tellProblems(std::uint8_t status);

@@ -32,6 +32,11 @@ std::string measuredText(const Cloud& cloud) {
          (io::mayBeInMillimetres(cloud) ? ": are they millimetres?" : "");
 }
 
+std::uint32_t pointsIn(const sensor_msgs::PointCloud2& message) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min(std::uint64_t{message.width} * message.height, kMost));
+}
+
 Detections nothing(Status why) {
   Detections result;
   result.status = why;
@@ -125,15 +130,14 @@ PrimitiveArray& FramePipeline::process(const sensor_msgs::PointCloud2& message, 
   if (has_cloud_ && detections.points_used < kFewestPoints)
     problem_ += "; " + measuredText(seen(message));  // reads it once more, but nothing was done with it
   PrimitiveArray& written = message_writer_.write(detections, message.header);
-  written.points_in = static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{message.width} * message.height,
-                                                                         std::numeric_limits<std::uint32_t>::max()));
+  written.points_in = pointsIn(message);
   // Of a large image they are extrapolated from every second pixel or fewer, which are a little more than their share.
   written.points_used = std::min(written.points_used, written.points_in);
   for (Primitive& item : written.primitives) item.inlier_count = std::min(item.inlier_count, written.points_in);
   return written;
 }
 
-PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, const std::string& problem) {
+PrimitiveArray& FramePipeline::withoutTransform(const sensor_msgs::PointCloud2& message, const std::string& problem) {
   static const Detections kNoTransform = nothing(Status::no_transform);
   problem_ = problem;
   has_cloud_ = false;
@@ -141,7 +145,9 @@ PrimitiveArray& FramePipeline::withoutTransform(const std_msgs::Header& header, 
   camera_ = {};
   status_ = kNoTransform.status;
   refusals_ = {};
-  return message_writer_.write(kNoTransform, header);
+  PrimitiveArray& written = message_writer_.write(kNoTransform, message.header);
+  written.points_in = pointsIn(message);
+  return written;
 }
 
 std::optional<bool> FramePipeline::seenFromOrigin() const {

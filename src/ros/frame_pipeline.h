@@ -48,9 +48,9 @@ class FramePipeline {
                           CameraPlace place = CameraPlace::from_image);
 
   /// For a cloud whose place is not known: no primitives, status NO_TRANSFORM, and this problem.
-  PrimitiveArray& withoutTransform(const std_msgs::Header& header, const std::string& problem);
+  PrimitiveArray& withoutTransform(const sensor_msgs::PointCloud2& message, const std::string& problem);
 
-  /// The frame is done, all of its outputs are published: what it took decides on the effort of the next one.
+  /// Its primitives are published: what it took so far decides on the effort of the next one.
   void published();
 
   /// Of max_latency; null: that is off.

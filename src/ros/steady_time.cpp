@@ -32,8 +32,11 @@ double StageTimes::end() {
   for (const Stage& stage : frame_) record(stage);
   record({kTotal, seconds});
   frame_.clear();
+  stage_begin_ = SteadyClock::now();
   return seconds;
 }
+
+void StageTimes::recordAfter(const char* stage) { record({stage, secondsSince(stage_begin_)}); }
 
 std::vector<StageSummary> StageTimes::summaries() const {
   std::vector<StageSummary> summaries;

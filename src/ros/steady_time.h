@@ -60,6 +60,9 @@ class StageTimes {
   /// The frame is done; returns its seconds.
   double end();
 
+  /// What was done since end(), as a stage that is no part of "total".
+  void recordAfter(const char* stage);
+
   /// In the order in which the stages first ran, "total" last.
   std::vector<StageSummary> summaries() const;
 

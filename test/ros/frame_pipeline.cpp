@@ -147,7 +147,7 @@ TEST(FramePipeline, TellsWhereACloudWasSeenFromOnlyByItsPoints) {
   EXPECT_EQ(seenFromOrigin(rejected), std::nullopt);
   EXPECT_EQ(seenFromOrigin(test::plainCloud(4, 3)), std::nullopt) << "too few";
   seenFromOrigin(behind);
-  pipeline.withoutTransform({}, "no transform");
+  EXPECT_EQ(pipeline.withoutTransform(test::plainCloud(4, 3), "no transform").points_in, 12u);
   EXPECT_EQ(pipeline.seenFromOrigin(), std::nullopt);
 }
 

@@ -12,6 +12,7 @@ from dynamic_reconfigure.client import Client
 from primitect.msg import PrimitiveArray
 from ros_helpers import PATIENCE, Collector, Detector, cloud_message, wait_for, wall_and_ball
 from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import PointCloud2
 
 SCENE = wall_and_ball()
 FRAMES = 10
@@ -78,6 +79,13 @@ class MaxLatency(unittest.TestCase):
         self.assertEqual(values["max_latency ms"], "0.001")
         self.assertLess(float(values["share of the samples"]), 1.0)
         self.assertEqual(len(self.warnings()), told + 1, "one warning is enough")
+
+    def test_leaves_out_what_is_published_to_be_looked_at(self):
+        labels = Collector("/detector/labels", PointCloud2)
+        self.assertTrue(wait_for(labels.connected))
+        self.samples()
+        self.assertTrue(wait_for(lambda: labels.all()))
+        self.assertTrue(wait_for(lambda: "publish ms p50 p95 max" in self.timing()[1]), self.timing())
 
     def test_is_not_mentioned_while_it_is_off(self):
         self.assertTrue(wait_for(lambda: self.timing()[1] and "max_latency ms" not in self.timing()[1]))

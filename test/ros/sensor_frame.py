@@ -131,6 +131,7 @@ class SensorFrame(unittest.TestCase):
         client.update_configuration({"transform_patience": LONGER_WAIT})
         answer = detector.ask(cloud_message(POINTS, WIDTH, IMAGE_HEIGHT, frame="waited_for_by_this_test_alone"))
         self.assertEqual(answer.status, PrimitiveArray.NO_TRANSFORM)
+        self.assertEqual(answer.points_in, len(POINTS))
         self.assertGreaterEqual(answer.processing_time, LONGER_WAIT)
         self.assertTrue(wait_for(lambda: [m for m in log.all() if m.name == "/detector" and
                                           "parameters changed: transform_patience: " in m.msg]))

@@ -41,6 +41,18 @@ TEST(StageTimes, AddUpAStageThatRunsTwiceInAFrame) {
   EXPECT_GE(summaryOf(times, "total").median, summaryOf(times, "vote").median);
 }
 
+TEST(StageTimes, TellWhatComesAfterAFrameApartFromItsTotal) {
+  StageTimes times;
+  times.begin();
+  times.stageDone("vote");
+  times.end();
+  nap();
+  times.recordAfter("publish");
+  EXPECT_GE(summaryOf(times, "publish").median, kNapMilliseconds);
+  EXPECT_LT(summaryOf(times, "total").median, summaryOf(times, "publish").median);
+  EXPECT_EQ(times.summaries().back().stage, "total");
+}
+
 TEST(StageTimes, KeepTheOrderOfTheStagesWithTheTotalLast) {
   StageTimes times;
   for (const int rounds : {1, 2}) {
