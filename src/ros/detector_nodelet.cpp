@@ -5,9 +5,11 @@
 
 #include <tf2/exceptions.h>
 
+#include <boost/make_shared.hpp>
 #include <iomanip>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <utility>
 
 #include "messages.h"
 #include "primitect/kernel_choice.h"
@@ -246,8 +248,13 @@ void DetectorNodelet::publishPictures(const PrimitiveArray& message) {
     markers_.publish(marker_writer_.update(message, sequence_->markerStyle()));
   }
   if (!pipeline().hasCloud()) return;
-  if (with_labels_ && labels_.getNumSubscribers() > 0) labels_.publish(pipeline().labels(sequence_->sensorHeader()));
-  if (normals_.getNumSubscribers() > 0) normals_.publish(pipeline().normals(sequence_->sensorHeader()));
+  // Nodelets of the same manager get these clouds as they are, without a copy.
+  const auto shared = [](sensor_msgs::PointCloud2 made) {
+    return boost::make_shared<sensor_msgs::PointCloud2>(std::move(made));
+  };
+  const std_msgs::Header& header = sequence_->sensorHeader();
+  if (with_labels_ && labels_.getNumSubscribers() > 0) labels_.publish(shared(pipeline().labels(header)));
+  if (normals_.getNumSubscribers() > 0) normals_.publish(shared(pipeline().normals(header)));
 }
 
 void DetectorNodelet::startAnewIfTimeWentBack(const ros::Time& stamp) {
