@@ -20,13 +20,13 @@ struct Cloud {
   std::vector<float> x, y, z;     ///< width * height points, row by row
   std::vector<float> nx, ny, nz;  ///< unit normals as long as x, or empty when the source brought none
   std::uint32_t width = 0;
-  std::uint32_t height = 0;        ///< above 1: organized, a pixel's neighbours are its neighbours in space
+  std::uint32_t height = 0;  ///< where both are above 1: organized, a pixel's neighbours are its neighbours in space
   std::uint32_t valid_count = 0;   ///< points that are not missing; who writes x, y and z keeps it (countPoints)
   std::uint32_t behind_count = 0;  ///< of these, points with z <= 0, where no depth camera measures
   std::uint32_t step = 1;          ///< of what was an image every so many-th column and row is here (image_step.h)
 
   std::size_t size() const { return x.size(); }
-  bool organized() const { return height > 1; }
+  bool organized() const { return width > 1 && height > 1; }
   bool hasNormals() const { return !nx.empty() && nx.size() == x.size(); }
   /// Its lists are as long as its sides say, and of normals there are as many as of points; who fills them sees to it.
   bool isConsistent() const {

@@ -42,9 +42,9 @@ std::string frameLine(const io::FrameReport& frame) {
 void BagSummary::add(const io::FrameReport& frame) {
   ++clouds_;
   if (problem_.empty()) problem_ = frame.problem;
-  beyond_ += frame.beyond;
   if (frame.detections.status != Status::ok) return;
   ++searched_;
+  beyond_ += frame.beyond;
   elsewhere_ += frame.detections.seen_from_origin ? 0 : 1;
   assumed_ += frame.origin_assumed ? 1 : 0;
   moved_ += frame.found_sensor ? 1 : 0;
@@ -76,7 +76,8 @@ std::vector<std::string> BagSummary::notes() const {
                     " clouds were moved to another frame: searched from where their rows and columns, the order of "
                     "their points, or the shadows of things, tell that the camera was");
   }
-  const double share = clouds_ > 0 ? beyond_ / static_cast<double>(clouds_) : 0.0;
+  // Where nothing is nearer, that is the problem of those clouds.
+  const double share = searched_ > 0 ? beyond_ / static_cast<double>(searched_) : 0.0;
   if (share >= io::kMuchBeyond) {
     notes.push_back(
         format("%.0f %% of what was measured lies beyond max_depth and is left out; --max_depth says how "

@@ -79,6 +79,9 @@ TEST(CloudReader, ReadsAnUnorganizedCloud) {
   EXPECT_EQ(readCloud(plainCloud(7, 1), kAnyDepth, kEverything, cloud), "");
   expectGrid(cloud, 7, 1);
   EXPECT_FALSE(cloud.organized());
+  EXPECT_EQ(readCloud(plainCloud(1, 7), kAnyDepth, kEverything, cloud), "");
+  expectGrid(cloud, 1, 7);
+  EXPECT_FALSE(cloud.organized()) << "one column is a list, too";
 }
 
 TEST(CloudReader, ReadsAnyFieldOrderWithPaddingInPointsAndRows) {

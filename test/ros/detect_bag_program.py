@@ -182,6 +182,13 @@ class DetectBag(unittest.TestCase):
         self.assertIn("note: 1 of 2 clouds are lists without rows and columns", done.stderr)
         self.assertRegex(done.stderr, r"note: \d+ % of what was measured lies beyond max_depth")
 
+    def test_does_not_advise_to_look_farther_where_nothing_is_measured(self):
+        with rosbag.Bag(self.path("far.bag"), "w") as bag:
+            bag.write("/points", cloud_message([(float("inf"),) * 3] * 100, 100, 1, stamp=rospy.Time(1000)), rospy.Time(1000))
+        done = self.run_program(self.path("far.bag"))
+        self.assertIn("none of its points is measured", done.stdout)
+        self.assertNotIn("beyond max_depth", done.stderr)
+
     def test_tells_where_the_order_of_a_list_says_that_the_camera_was(self):
         noise = random.Random(2)
         points, width, height = wall_and_ball()
