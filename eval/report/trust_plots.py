@@ -9,12 +9,13 @@ from matplotlib.patches import Patch
 from report import figures, trust
 from report.kinds import KINDS
 
+MOST_IN_A_ROW = 5  # panels
 COLOURS = {"total": "#0b62b8", "origin": "#7fb3e6", "axis": "#e8820c", "radius": "#1b8a5a", "half_angle": "#8e4ab8"}
 
 
 def title_of(group, error):
-    """In lines that are no wider than a panel of nine."""
-    return "%s\nECE %.3f" % (textwrap.fill(group, 11), error)
+    """In lines that are no wider than a panel of five."""
+    return "%s\nECE %.3f" % (textwrap.fill(group, 22), error)
 
 
 def reliability(lines, folder):
@@ -23,22 +24,31 @@ def reliability(lines, folder):
     chosen = {name: bins for name, bins in chosen.items() if trust.calibration_error(bins) is not None}
     if not chosen:
         return None
-    figure, axes = figures.panels(2, len(chosen), 5.6, gridspec_kw={"height_ratios": (3, 1)}, sharex=True)
-    for column, (name, bins) in enumerate(chosen.items()):
-        top, bottom = axes[0][column], axes[1][column]
+    rows = -(-len(chosen) // MOST_IN_A_ROW)
+    columns = -(-len(chosen) // rows)
+    figure, axes = figures.panels(2 * rows, columns, 1.0 + 4.2 * rows, gridspec_kw={"height_ratios": (3, 1) * rows})
+    for place in range(rows * columns):
+        for part in (0, 1):
+            axes[2 * (place // columns) + part][place % columns].set_visible(place < len(chosen))
+    for place, (name, bins) in enumerate(chosen.items()):
+        row, column = divmod(place, columns)
+        top, bottom = axes[2 * row][column], axes[2 * row + 1][column]
         top.plot((0, 1), (0, 1), ":", color="#222222", label="as it should be")
         some = [one for one in bins if one.count]
         top.plot([one.confidence for one in some], [one.right for one in some], "o-", color="#0b62b8",
                  label="share that is right")
         top.set_title(title_of(name, trust.calibration_error(bins)))
+        top.set_xlim(0, 1)
+        top.set_xticklabels([])
         top.set_ylim(-0.03, 1.03)
         bottom.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)], [one.count for one in bins],
                    0.9 / trust.BINS, color="#a9a9a9")
         bottom.set_xlim(0, 1)
         bottom.set_yscale("symlog")
         bottom.set_xlabel("confidence")
-    axes[0][0].set_ylabel("share right")
-    axes[1][0].set_ylabel("detections")
+        if column == 0:
+            top.set_ylabel("share right")
+            bottom.set_ylabel("detections")
     return figures.finish(figure, "Confidence of detections", os.path.join(folder, "reliability.png"),
                           note="ECE: expected calibration error, the mean distance of the two, weighted by the "
                                "detections.")

@@ -14,19 +14,19 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/kind_color.h"
+#include "io/label_colors.h"
 
 namespace primitect::io {
 namespace {
 
-pcl::PointXYZRGBL labelledPoint(const Cloud& cloud, std::size_t i, const Detections& detections, std::uint32_t label) {
+pcl::PointXYZRGBL labelledPoint(const Cloud& cloud, std::size_t i, const std::vector<Rgb>& colors,
+                                std::uint32_t label) {
   pcl::PointXYZRGBL point;
   point.x = cloud.x[i];
   point.y = cloud.y[i];
   point.z = cloud.z[i];
   point.label = label;
-  const bool known = label > 0 && label <= detections.items.size();
-  const Rgb color = known ? kindColor(kindOf(detections.items[label - 1].shape)) : kUnlabelledColor;
+  const Rgb color = label < colors.size() ? colors[label] : kUnlabelledColor;
   point.r = color.red;
   point.g = color.green;
   point.b = color.blue;
@@ -37,8 +37,9 @@ pcl::PointXYZRGBL labelledPoint(const Cloud& cloud, std::size_t i, const Detecti
 pcl::PointCloud<pcl::PointXYZRGBL> labelledCloud(const Cloud& cloud, const Detections& detections,
                                                  const std::vector<std::uint32_t>& labels) {
   pcl::PointCloud<pcl::PointXYZRGBL> points;
+  const std::vector<Rgb> colors = labelColors(detections);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.organized() || cloud.valid(i)) points.push_back(labelledPoint(cloud, i, detections, labels.at(i)));
+    if (cloud.organized() || cloud.valid(i)) points.push_back(labelledPoint(cloud, i, colors, labels.at(i)));
   }
   points.is_dense = cloud.valid_count == points.size();
   if (cloud.organized()) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds with one colour a kind and the label of each point.
+// Clouds with one colour a kind, in shades, and the label of each point.
 #pragma once
 
 #include <cstdint>

@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers of a picture: points, outlines, names, caption.
+// Layers of a picture: points, outlines, names; the caption below it.
 #include "io/picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "io/cut_away.h"
-#include "io/length_text.h"
 #include "io/outlines.h"
 #include "io/percent_text.h"
+#include "io/picture_caption.h"
 #include "io/png_image.h"
 #include "io/shape_text.h"
 
@@ -77,41 +75,16 @@ std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const View& view)
   return anchors;
 }
 
-std::string countText(int count, Kind kind) {
-  return std::to_string(count) + " " + kindName(kind) + (count == 1 ? "" : "s");
-}
-
-/// "nearer than 1.00 m or farther than 2.00 m", what of it there is.
-std::string notUsedText(const LabelledPoints& points) {
-  const CutAway cut = cutAway(points.cloud, points.used);
-  std::string text = cut.nearer > 0 ? "nearer than " + lengthText(points.used.min) : "";
-  if (cut.farther > 0) text += (text.empty() ? "" : " or ") + ("farther than " + lengthText(points.used.max));
-  return text;
-}
-
-/// Counts of each kind in its colour, then what the shades mean.
-cv::Mat drawCaption(const LabelledPoints& points, const std::string& title, int width) {
-  const double scale = textScale(width);
-  const int line = static_cast<int>(42 * scale);
-  const std::string not_used = notUsedText(points);
-  cv::Mat caption((not_used.empty() ? 2 : 3) * line + line / 2, width, CV_8UC3, cv::Scalar::all(30));
-  const auto write = [&](const std::string& text, int x, int row, const cv::Scalar& color) {
-    cv::putText(caption, text, {x, row * line}, cv::FONT_HERSHEY_SIMPLEX, scale, color, 1, cv::LINE_AA);
-    return x + cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, nullptr).width + line / 2;
-  };
-  std::array<int, kKindCount> counts = {};
-  for (const Detection& detection : points.detections.items) ++counts[detection.shape.index()];
-  int x = write(title, line / 2, 1, cv::Scalar::all(255));
-  for (std::size_t k = 0; k < kKindCount; ++k) {
-    const Kind kind = static_cast<Kind>(k);
-    cv::rectangle(caption, cv::Rect(x, line / 3, 3 * line / 4, 3 * line / 4), bgr(kind), cv::FILLED);
-    x = write(countText(counts[k], kind), x + line, 1, cv::Scalar::all(counts[k] > 0 ? 255 : 150));
+/// Which cells show small things, such as names should not hide; of a table or wall they may.
+cv::Mat smallThings(const LabelledPoints& points, const View& view) {
+  constexpr double kLarge = 0.08;  // of the picture
+  const cv::Mat cells = labelCells(points, view);
+  cv::Mat things(cells.size(), CV_8UC1, cv::Scalar(0));
+  for (std::size_t i = 0; i < points.detections.items.size(); ++i) {
+    const cv::Mat own = cells == static_cast<int>(i + 1);
+    if (cv::countNonZero(own) < kLarge * static_cast<double>(cells.total())) things.setTo(1, own);
   }
-  std::string second = points.detections.items.empty() ? "Nothing found: " + reasonText(points.detections)
-                                                       : "Tinted: of the outlined shape. Grey to white: of none.";
-  write(second + (points.cloud.organized() ? " Black: not measured." : ""), line / 2, 2, cv::Scalar::all(190));
-  if (!not_used.empty()) write("Dark: " + not_used + ", not used.", line / 2, 3, cv::Scalar::all(190));
-  return caption;
+  return things;
 }
 
 }  // namespace
@@ -150,7 +123,10 @@ cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics
   for (const Detection& detection : points.detections.items) {
     drawLines(picture, projectLines(outlineOf(detection, view), view), bgr(kindOf(detection.shape)));
   }
-  drawTags(picture, tagsOf(points, view));
+  drawTags(picture, tagsOf(points, view), {smallThings(points, view), kCell});
+  constexpr int kLeastWidth = 320;  // px: what the caption can be read in
+  const int missing = std::max(0, kLeastWidth - picture.cols);
+  if (missing > 0) cv::copyMakeBorder(picture, picture, 0, 0, 0, missing, cv::BORDER_CONSTANT, cv::Scalar::all(30));
   cv::vconcat(picture, drawCaption(points, title, picture.cols), picture);
   return picture;
 }

@@ -4,7 +4,9 @@
 #include "marker_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "geometry_messages.h"
 #include "io/kind_color.h"
@@ -81,31 +83,48 @@ class MarkerMaker {
   Kind kind_;
 };
 
-void addTriangle(Marker& marker, const Vec3& a, const Vec3& b, const Vec3& c) {
-  for (const Vec3& p : {a, b, c}) marker.points.push_back(pointMessage(p));
+/// Counter-clockwise from outside, where RViz's light comes from.
+using Triangle = std::array<Vec3, 3>;
+
+bool facesAway(const Triangle& triangle, const Vec3& viewpoint) {
+  const Vec3 outwards = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  return outwards.dot(triangle[0] - viewpoint) > 0.0;
 }
 
-Marker triangles(const MarkerMaker& maker, double alpha) {
+/// RViz draws what can be looked through in the order of how far the poses of markers are, and of one marker the
+/// triangles in the order in which they come: what is behind must be drawn first, or it hides what is before it.
+Marker drawnAt(const MarkerMaker& maker, double alpha, const Vec3& place, const Vec3& viewpoint,
+               std::vector<Triangle> triangles) {
   Marker marker = maker.make("", Marker::TRIANGLE_LIST, alpha);
   marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
+  marker.pose.position = pointMessage(place);
+  std::stable_partition(triangles.begin(), triangles.end(),
+                        [&viewpoint](const Triangle& triangle) { return facesAway(triangle, viewpoint); });
+  for (const Triangle& triangle : triangles) {
+    for (const Vec3& corner : triangle) marker.points.push_back(pointMessage(corner - place));
+  }
   return marker;
 }
 
-void addPlane(const MarkerMaker& maker, const Primitive& primitive, double alpha, std::vector<Marker>& markers) {
+/// Its surface is drawn as if it were all where its farthest corner is: before what stands on it.
+void addPlane(const MarkerMaker& maker, const Primitive& primitive, const MarkerStyle& style,
+              std::vector<Marker>& markers) {
   if (primitive.hull.size() < 3) return;
-  Marker surface = triangles(maker, alpha);
+  std::vector<Triangle> triangles;
   Marker outline = maker.make("_outline", Marker::LINE_STRIP, 1.0);
   outline.scale.x = 0.005;
   const Vec3 first = toVec3(primitive.hull.front());
+  Vec3 farthest = first;
   for (std::size_t i = 0; i < primitive.hull.size(); ++i) {
     const Vec3 here = toVec3(primitive.hull[i]);
-    if (i >= 2) addTriangle(surface, first, toVec3(primitive.hull[i - 1]), here);
+    if (i >= 2) triangles.push_back({first, toVec3(primitive.hull[i - 1]), here});
+    if ((here - style.viewpoint).norm() > (farthest - style.viewpoint).norm()) farthest = here;
     outline.points.push_back(pointMessage(here));
   }
   outline.points.push_back(pointMessage(first));
   const Body body(primitive);
   const double length = std::clamp(0.2 * std::max(primitive.size[0], primitive.size[1]), 0.03, 0.15);
-  markers.push_back(surface);
+  markers.push_back(drawnAt(maker, kPlaneShare * style.alpha, farthest, style.viewpoint, std::move(triangles)));
   markers.push_back(outline);
   markers.push_back(maker.arrow(body.origin, body.origin + length * body.axis));
 }
@@ -122,32 +141,33 @@ void addCylinder(const MarkerMaker& maker, const Primitive& primitive, std::vect
   markers.push_back(maker.arrow(body.origin - half, body.origin + half));
 }
 
-void addCone(const MarkerMaker& maker, const Primitive& primitive, double alpha, std::vector<Marker>& markers) {
+void addCone(const MarkerMaker& maker, const Primitive& primitive, const MarkerStyle& style,
+             std::vector<Marker>& markers) {
   const double length = primitive.size[2];
   if (!(length > 0.0 && primitive.radius > 0.0f)) return;
   const Body body(primitive);
   const Vec3 narrow = body.origin - 0.5 * length * body.axis;
   const Vec3 wide = body.origin + 0.5 * length * body.axis;
-  Marker surface = triangles(maker, alpha);
+  std::vector<Triangle> triangles;
   const auto rim = [&](int side) {
     const double angle = 2.0 * M_PI * side / kConeSides;
     return Vec3(std::cos(angle) * body.rotation.col(0) + std::sin(angle) * body.rotation.col(1));
   };
-  for (int side = 0; side < kConeSides; ++side) {  // counter-clockwise from outside, where RViz's light comes from
+  for (int side = 0; side < kConeSides; ++side) {
     const Vec3 here = rim(side), next = rim(side + 1);
     const Vec3 wide_here = wide + primitive.radius * here, wide_next = wide + primitive.radius * next;
     const Vec3 narrow_here = narrow + primitive.radius_small * here;
-    addTriangle(surface, narrow_here, wide_next, wide_here);
-    addTriangle(surface, wide, wide_here, wide_next);  // closed, as RViz's cylinders are: the inside has no light
+    triangles.push_back({narrow_here, wide_next, wide_here});
+    triangles.push_back({wide, wide_here, wide_next});  // closed, as RViz's cylinders are: the inside has no light
     if (primitive.radius_small > 0.0f) {
       const Vec3 narrow_next = narrow + primitive.radius_small * next;
-      addTriangle(surface, narrow_here, narrow_next, wide_next);
-      addTriangle(surface, narrow, narrow_next, narrow_here);
+      triangles.push_back({narrow_here, narrow_next, wide_next});
+      triangles.push_back({narrow, narrow_next, narrow_here});
     }
   }
   // From the apex, unless it is far from what was seen.
   const double to_apex = std::min((body.origin - toVec3(primitive.apex)).norm(), 0.5 * length + axisOverhang(length));
-  markers.push_back(surface);
+  markers.push_back(drawnAt(maker, style.alpha, body.origin, style.viewpoint, std::move(triangles)));
   markers.push_back(maker.arrow(body.origin - to_apex * body.axis, wide + axisOverhang(length) * body.axis));
 }
 
@@ -169,12 +189,12 @@ std::vector<Marker> primitiveMarkers(const std_msgs::Header& header, const Primi
   std::vector<Marker> markers;
   if (primitive.type >= kKindCount) return markers;
   const MarkerMaker maker(header, primitive, style);
-  if (primitive.type == Primitive::PLANE) addPlane(maker, primitive, kPlaneShare * style.alpha, markers);
+  if (primitive.type == Primitive::PLANE) addPlane(maker, primitive, style, markers);
   if (primitive.type == Primitive::SPHERE && primitive.radius > 0.0f) {
     markers.push_back(maker.solid(Marker::SPHERE, 2.0 * primitive.radius, 2.0 * primitive.radius));
   }
   if (primitive.type == Primitive::CYLINDER) addCylinder(maker, primitive, markers);
-  if (primitive.type == Primitive::CONE) addCone(maker, primitive, style.alpha, markers);
+  if (primitive.type == Primitive::CONE) addCone(maker, primitive, style, markers);
   markers.push_back(textMarker(maker, primitive, style));
   return markers;
 }

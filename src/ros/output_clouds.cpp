@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "io/kind_color.h"
+#include "io/label_colors.h"
 
 namespace primitect::ros_layer {
 namespace {
@@ -44,13 +44,6 @@ std::uint32_t packed(io::Rgb color) {
   return (std::uint32_t{color.red} << 16) | (std::uint32_t{color.green} << 8) | color.blue;
 }
 
-/// The colour of each label.
-std::vector<std::uint32_t> labelColors(const Detections& detections) {
-  std::vector<std::uint32_t> colors = {packed(io::kUnlabelledColor)};
-  for (const Detection& detection : detections.items) colors.push_back(packed(io::kindColor(kindOf(detection.shape))));
-  return colors;
-}
-
 }  // namespace
 
 PointCloud2 labelCloud(const std_msgs::Header& header, const Cloud& cloud, const std::vector<std::uint32_t>& labels,
@@ -62,7 +55,8 @@ PointCloud2 labelCloud(const std_msgs::Header& header, const Cloud& cloud, const
                                    {"rgb", PointField::FLOAT32},
                                    {"label", PointField::UINT32}});
   message.is_dense = cloud.valid_count == cloud.size();
-  const std::vector<std::uint32_t> colors = labelColors(detections);
+  std::vector<std::uint32_t> colors;  // of each label
+  for (const io::Rgb color : io::labelColors(detections)) colors.push_back(packed(color));
   std::uint8_t* out = message.data.data();
   for (std::size_t i = 0; i < cloud.size(); ++i, out += message.point_step) {
     const float position[3] = {cloud.x[i], cloud.y[i], cloud.z[i]};

@@ -14,7 +14,7 @@
 
 namespace primitect::ros_layer {
 
-/// x, y, z (float32, m), rgb (packed in a float32, one colour a kind), label (uint32: id + 1, 0 = none).
+/// x, y, z (float32, m), rgb (packed in a float32, one colour a kind, in shades), label (uint32: id + 1, 0 = none).
 /// As wide and high as the cloud; missing points are NaN.
 sensor_msgs::PointCloud2 labelCloud(const std_msgs::Header& header, const Cloud& cloud,
                                     const std::vector<std::uint32_t>& labels, const Detections& detections);

@@ -9,12 +9,15 @@
 #include <csignal>
 #include <filesystem>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 #include <tuple>
 
 #include "io/kind_color.h"
+#include "io/label_colors.h"
 #include "io/label_file.h"
 #include "io/name_tags.h"
 #include "io/outlines.h"
+#include "io/picture_caption.h"
 #include "temporary_folder.h"
 
 namespace primitect::io::picture_test {
@@ -207,11 +210,56 @@ TEST(NameTags, DoNotCoverEachOther) {
   const std::vector<cv::Point> anchors(8, cv::Point(5, 5));
   const std::vector<cv::Size> sizes(8, cv::Size(120, 20));
   const cv::Size picture(640, 480);
-  const std::vector<cv::Rect> boxes = placeTags(anchors, sizes, picture);
+  const std::vector<cv::Rect> boxes = placeTags(anchors, sizes, {}, picture);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     EXPECT_EQ((boxes[i] & cv::Rect({0, 0}, picture)), boxes[i]);
     for (std::size_t k = 0; k < i; ++k) EXPECT_EQ((boxes[i] & boxes[k]).area(), 0);
   }
+}
+
+TEST(NameTags, LeaveThingsAndOtherAnchorsFree) {
+  const std::vector<cv::Point> anchors = {{200, 200}, {200, 150}};
+  Things things = {cv::Mat(60, 80, CV_8UC1, cv::Scalar(0)), 8};
+  things.cells(cv::Rect(20, 20, 10, 10)).setTo(1);  // 160 to 240 px either way
+  const std::vector<cv::Rect> boxes = placeTags(anchors, {{120, 20}, {120, 20}}, things, {640, 480});
+  for (const cv::Rect& box : boxes) {
+    EXPECT_EQ((box & cv::Rect(160, 160, 80, 80)).area(), 0) << box;
+    EXPECT_FALSE(box.contains(anchors[1])) << box;
+    EXPECT_LT(cv::norm((box.tl() + box.br()) / 2 - anchors[0]), 150.0) << "no farther than it must";
+  }
+  const cv::Rect alone = placeTags({anchors[0]}, {{120, 20}}, {}, {640, 480}).at(0);
+  EXPECT_EQ(alone.br().y, 190) << "above its place, where nothing is in the way";
+}
+
+/// Nothing is written as far to the right as the margin on the left is wide.
+bool isWithinItsWidth(const cv::Mat& caption) {
+  const int margin = static_cast<int>(21 * textScale(caption.cols)) / 2;
+  cv::Mat grey;
+  cv::cvtColor(caption.colRange(caption.cols - margin, caption.cols), grey, cv::COLOR_BGR2GRAY);
+  return cv::countNonZero(grey != 30) == 0;
+}
+
+TEST(Captions, HaveAsManyRowsAsTheirWidthAsksFor) {
+  const Cloud cloud = wall();
+  const std::vector<std::uint32_t> labels(cloud.size(), 0);
+  const Detections ball = only(Sphere{});
+  const LabelledPoints points = {cloud, {0.0f, 1.5f}, labels, ball};
+  const auto rowsOf = [&points](const std::string& title, int width) {
+    const cv::Mat caption = drawCaption(points, title, width);
+    EXPECT_TRUE(isWithinItsWidth(caption)) << title << ", " << width;
+    EXPECT_EQ(caption.cols, width);
+    return caption.rows / static_cast<int>(42 * textScale(width));
+  };
+  EXPECT_EQ(rowsOf("wall", 2560), 3);
+  EXPECT_GT(rowsOf("wall", 320), 4);
+  EXPECT_EQ(rowsOf(std::string(500, 'w'), 2560), 4) << "the counts have a row of their own";
+}
+
+TEST(Pictures, AreWideEnoughForTheirCaption) {
+  Cloud strip;
+  strip.reset(20, 1000, false);
+  const std::vector<std::uint32_t> labels(strip.size(), 0);
+  EXPECT_EQ(drawPicture({strip, {}, labels, {}}, kLens, "").cols, 320);
 }
 
 class LabelFiles : public test::TemporaryFolder {};
@@ -233,6 +281,23 @@ TEST_F(LabelFiles, HoldPointsColorsAndLabels) {
       test::bytesOf<std::uint32_t>({1}) + test::bytesOf<float>({4, 5, 6}) +
       test::bytesOf<std::uint8_t>({grey.red, grey.green, grey.blue}) + test::bytesOf<std::uint32_t>({0});
   EXPECT_EQ(bytes.substr(bytes.size() - body.size()), body);
+}
+
+TEST_F(LabelFiles, TellShapesOfOneKindApart) {
+  Detections found;
+  for (const Shape& shape : {Shape(Plane{}), Shape(Sphere{}), Shape(Plane{}), Shape(Plane{})}) {
+    found.items.emplace_back().shape = shape;
+  }
+  const std::vector<Rgb> colors = labelColors(found);
+  ASSERT_EQ(colors.size(), 5u);
+  const auto bytes = [&colors](std::size_t label) {
+    return std::tuple(colors[label].red, colors[label].green, colors[label].blue);
+  };
+  const Rgb blue = kindColor(Kind::plane), red = kindColor(Kind::sphere);
+  EXPECT_EQ(bytes(1), std::tuple(blue.red, blue.green, blue.blue));
+  EXPECT_EQ(bytes(2), std::tuple(red.red, red.green, red.blue)) << "the first of its kind";
+  EXPECT_LT(colors[3].blue, blue.blue);
+  EXPECT_GT(colors[4].red, blue.red);
 }
 
 /// Files can have so many bytes, as on a disk that is nearly full, while this lives.

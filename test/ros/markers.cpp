@@ -177,15 +177,23 @@ TEST(Markers, SayHowSureADetectionIsWhereItIsNot) {
   EXPECT_EQ(markerOf(sure, "plane_text").text, "plane 500 x 500 mm");
 }
 
+/// Three corners of each triangle, in the frame of the header.
+std::vector<Vec3> cornersOf(const Marker& marker) {
+  std::vector<Vec3> corners;
+  for (const auto& point : marker.points) corners.push_back(toVec3(marker.pose.position) + toVec3(point));
+  return corners;
+}
+
 TEST(Markers, FillThePlanesOutline) {
   MarkerWriter writer;
   const auto array = writer.update(messageOf({squareFacingTheSensor()}), MarkerStyle());
   const Marker surface = markerOf(array, "plane");
   ASSERT_EQ(surface.type, Marker::TRIANGLE_LIST);
-  ASSERT_EQ(surface.points.size(), 6u);
+  const std::vector<Vec3> corners = cornersOf(surface);
+  ASSERT_EQ(corners.size(), 6u);
   double area = 0.0;
-  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
-    const Vec3 a = toVec3(surface.points[i]), b = toVec3(surface.points[i + 1]), c = toVec3(surface.points[i + 2]);
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const Vec3 a = corners[i], b = corners[i + 1], c = corners[i + 2];
     const Vec3 normal = (b - a).cross(c - a);
     EXPECT_LT(normal.z(), 0.0);  // towards the sensor, where the light is
     area += 0.5 * normal.norm();
@@ -203,10 +211,11 @@ TEST(Markers, DrawTheConeAsAClosedFrustum) {
   const auto array = writer.update(messageOf({detection}), MarkerStyle());
   const Marker surface = markerOf(array, "cone");
   ASSERT_EQ(surface.type, Marker::TRIANGLE_LIST);
-  ASSERT_EQ(surface.points.size() % 3, 0u);
+  const std::vector<Vec3> corners = cornersOf(surface);
+  ASSERT_EQ(corners.size() % 3, 0u);
   double wide = 0.0, narrow = 0.0;  // m^2, of the two ends
-  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
-    const Vec3 a = toVec3(surface.points[i]), b = toVec3(surface.points[i + 1]), c = toVec3(surface.points[i + 2]);
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const Vec3 a = corners[i], b = corners[i + 1], c = corners[i + 2];
     const Vec3 area = 0.5 * (b - a).cross(c - a), middle = (a + b + c) / 3.0;
     if (std::abs(area.normalized().z()) > 0.999) {
       // Both ends are seen from outside.
@@ -223,6 +232,30 @@ TEST(Markers, DrawTheConeAsAClosedFrustum) {
   }
   EXPECT_NEAR(wide, M_PI * 0.06 * 0.06, 1e-4);  // of a polygon in the circle
   EXPECT_NEAR(narrow, M_PI * 0.02 * 0.02, 1e-5);
+}
+
+/// In the order of these RViz draws what can be looked through: the farther, the earlier.
+TEST(Markers, PutTheSurfaceOfAPlaneWhereItsFarthestCornerIs) {
+  MarkerStyle style;
+  style.viewpoint = Vec3(0.1, 0.2, 0.0);
+  const Marker surface = markerOf(MarkerWriter().update(messageOf({squareFacingTheSensor()}), style), "plane");
+  double farthest = 0.0;
+  for (const Vec3& corner : cornersOf(surface)) farthest = std::max(farthest, (corner - style.viewpoint).norm());
+  EXPECT_NEAR((toVec3(surface.pose.position) - style.viewpoint).norm(), farthest, 1e-6);
+}
+
+TEST(Markers, DrawTheFarSideOfAConeBeforeTheNearOne) {
+  MarkerStyle style;
+  style.viewpoint = Vec3(0.5, 0.1, 0.6);
+  const Marker surface = markerOf(MarkerWriter().update(messageOf({frustum()}), style), "cone");
+  const std::vector<Vec3> corners = cornersOf(surface);
+  std::vector<bool> near;  // of each triangle
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const Vec3 a = corners[i], b = corners[i + 1], c = corners[i + 2];
+    near.push_back((b - a).cross(c - a).dot(style.viewpoint - a) > 0.0);
+  }
+  EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+  EXPECT_NE(near.front(), near.back());
 }
 
 TEST(Markers, DeleteWhatVanished) {
