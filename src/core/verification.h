@@ -154,6 +154,7 @@ class Verification {
   void assess();
   bool refuseUnlikely();
   bool refuseUnseen(const IsSeen& is_seen);
+  bool refuseTwins();
   void refuse(const Segment& segment, Refusal why);
   void addUnevenPlanes();
   HeldGains heldByChosen() const;

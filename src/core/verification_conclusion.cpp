@@ -9,6 +9,7 @@
 #include "core/facets.h"
 #include "core/plane_parts.h"
 #include "core/standing.h"
+#include "core/twins.h"
 #include "core/uneven_planes.h"
 #include "core/verification.h"
 
@@ -186,6 +187,23 @@ bool Verification::refuseUnlikely() {
   return any;
 }
 
+/// The one with fewer samples.
+bool Verification::refuseTwins() {
+  if (!params_.does(Step::unlikely)) return false;
+  bool any = false;
+  for (Segment& segment : segments_) {
+    const auto isTwinOfBetter = [&](const Segment& other) {
+      return other.inliers.size() > segment.inliers.size() && other.confidence > 0.0 &&
+             areTwins(pool_[other.hypothesis], pool_[segment.hypothesis]);
+    };
+    if (std::none_of(segments_.begin(), segments_.end(), isTwinOfBetter)) continue;
+    segment.confidence = 0.0;
+    refuse(segment, Refusal::unlikely);
+    any = true;
+  }
+  return any;
+}
+
 /// A tube through the edge of a table, or a cone over three things, may be as likely on the samples as what is there.
 bool Verification::refuseUnseen(const IsSeen& is_seen) {
   if (!is_seen || !(params_.min_confidence > 0.0) || !params_.does(Step::seen_tubes)) return false;
@@ -233,7 +251,7 @@ void Verification::conclude(const IsSeen& is_seen) {
   refit();
   for (int k = 0; k < kJoins && joinPlanes(); ++k) selectAgain();
   settle();
-  for (int k = 0; (refuseUnlikely() || refuseUnseen(is_seen)) && k < kRefusals; ++k) {
+  for (int k = 0; (refuseUnlikely() || refuseUnseen(is_seen) || refuseTwins()) && k < kRefusals; ++k) {
     selectAgain();
     settle();
   }

@@ -39,11 +39,15 @@ std::string remarkText(const Detection& detection) {
   return text + (text.empty() ? "or a " : "; or a ") + kindName(*detection.rival);
 }
 
+/// To three decimals.
+Vec3 rounded(const Vec3& v) {
+  return v.unaryExpr([](double a) { return std::round(1000.0 * a) / 1000.0 + 0.0; });  // + 0: no "-0.000"
+}
+
 /// Where a plane faces, where the axis of a cylinder or cone points.
 std::string directionText(const Detection& detection) {
   if (kindOf(detection.shape) == Kind::sphere) return "-";
-  const auto rounded = [](double v) { return std::round(1000.0 * v) / 1000.0 + 0.0; };  // + 0: no "-0.000"
-  const Vec3 z = detection.extent.rotation.col(2).unaryExpr(rounded);
+  const Vec3 z = rounded(detection.extent.rotation.col(2));
   return format("%6.3f %6.3f %6.3f", z.x(), z.y(), z.z());
 }
 
@@ -53,7 +57,7 @@ std::string headingText() {
 }
 
 std::string rowText(std::size_t number, const Detection& detection) {
-  const Vec3& p = detection.extent.origin;
+  const Vec3 p = rounded(detection.extent.origin);
   const std::string rms = detection.rms_error < 0.0f ? "-" : format("%.1f mm", 1000.0 * detection.rms_error);
   std::string row =
       format("  %3zu  %-16s  %-34s  %8s  %8.3f %8.3f %8.3f  %20s", number, io::kindText(detection).c_str(),
@@ -109,7 +113,7 @@ std::string repeatsText(const io::FileReport& report) {
 }
 
 std::string sizeText(const Cloud& cloud) {
-  if (!cloud.organized()) return std::to_string(cloud.size()) + " points";
+  if (!cloud.organized()) return std::to_string(cloud.size()) + (cloud.size() == 1 ? " point" : " points");
   return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " image";
 }
 

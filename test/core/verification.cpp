@@ -113,6 +113,25 @@ TEST(Verification, FindsEachShapeOnceAndExplainsEachSampleOnce) {
   EXPECT_NEAR(frame.verification().noise().distance, kNoise, 0.3 * kNoise);
 }
 
+/// Its upper half is rounder than the lower one: each alone is a ball.
+TEST(Verification, FindsOneBallWhereAThingIsNearlyOne) {
+  const Sphere wide = {Vec3(0, 0, 1), 0.12}, narrow = {Vec3(0, 0.025, 0.992), 0.1};
+  Random random(95);
+  std::vector<SurfacePoint> bowl;
+  for (const Sphere& half : {wide, narrow}) {
+    for (const SurfacePoint& point : patchOf(half, 900, random)) {
+      const bool above = point.point.y() < 0.0;
+      if (above == (half.radius == wide.radius)) bowl.push_back(point);
+    }
+  }
+  Frame frame;
+  frame.round(noisy(together({patchOf(kWall, 600, 0.4, random), bowl}), random));
+  EXPECT_EQ(frame.of(Kind::sphere).size(), 2u) << "nothing is refused before the end";
+  frame.conclude();
+  ASSERT_EQ(frame.of(Kind::sphere).size(), 1u);
+  expectEverySampleOnce(frame);
+}
+
 TEST(Verification, FindsInTheSecondRoundWhatWasTooSmallInTheFirst) {
   Random random(92);
   Frame frame;
