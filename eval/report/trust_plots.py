@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The primitect developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Plots of what detections say of themselves: reliability diagram, normalised errors by kind."""
+import math
 import os
 import textwrap
 
@@ -10,48 +11,45 @@ from report import figures, trust
 from report.kinds import KINDS
 
 MOST_IN_A_ROW = 5  # panels
+COUNTS_HEIGHT = 0.35  # of the tallest bar
 COLOURS = {"total": "#0b62b8", "origin": "#7fb3e6", "axis": "#e8820c", "radius": "#1b8a5a", "half_angle": "#8e4ab8"}
 
 
 def title_of(group, error):
     """In lines that are no wider than a panel of five."""
-    return "%s\nECE %.3f" % (textwrap.fill(group, 22), error)
+    return "%s\nECE %.3f" % (textwrap.fill(group, 18), error)
 
 
 def reliability(lines, folder):
-    """A diagram for each group: the share right over the confidence, and below how many. None without confidences."""
+    """A diagram for each group: the share right over the confidence, and how many. None without confidences."""
     chosen = {name: trust.reliability(some) for name, some in trust.groups(lines).items()}
     chosen = {name: bins for name, bins in chosen.items() if trust.calibration_error(bins) is not None}
     if not chosen:
         return None
     rows = -(-len(chosen) // MOST_IN_A_ROW)
     columns = -(-len(chosen) // rows)
-    figure, axes = figures.panels(2 * rows, columns, 1.0 + 4.2 * rows, gridspec_kw={"height_ratios": (3, 1) * rows})
-    for place in range(rows * columns):
-        for part in (0, 1):
-            axes[2 * (place // columns) + part][place % columns].set_visible(place < len(chosen))
-    for place, (name, bins) in enumerate(chosen.items()):
-        row, column = divmod(place, columns)
-        top, bottom = axes[2 * row][column], axes[2 * row + 1][column]
-        top.plot((0, 1), (0, 1), ":", color="#222222", label="as it should be")
-        some = [one for one in bins if one.count]
-        top.plot([one.confidence for one in some], [one.right for one in some], "o-", color="#0b62b8",
+    figure, axes = figures.panels(rows, columns, 1.2 + 2.9 * rows)
+    places = [one for row in axes for one in row]
+    for one in places[len(chosen):]:
+        one.set_visible(False)
+    most = max(one.count for bins in chosen.values() for one in bins)
+    for one, (name, bins) in zip(places, chosen.items()):
+        one.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)],
+                [COUNTS_HEIGHT * math.log1p(part.count) / math.log1p(most) for part in bins], 0.9 / trust.BINS,
+                color="#c9c9c9")
+        one.plot((0, 1), (0, 1), ":", color="#222222", label="as it should be")
+        some = [part for part in bins if part.count]
+        one.plot([part.confidence for part in some], [part.right for part in some], "o-", color="#0b62b8",
                  label="share that is right")
-        top.set_title(title_of(name, trust.calibration_error(bins)))
-        top.set_xlim(0, 1)
-        top.set_xticklabels([])
-        top.set_ylim(-0.03, 1.03)
-        bottom.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)], [one.count for one in bins],
-                   0.9 / trust.BINS, color="#a9a9a9")
-        bottom.set_xlim(0, 1)
-        bottom.set_yscale("symlog")
-        bottom.set_xlabel("confidence")
-        if column == 0:
-            top.set_ylabel("share right")
-            bottom.set_ylabel("detections")
+        one.set_title(title_of(name, trust.calibration_error(bins)))
+        one.set_xlim(0, 1.02)
+        one.set_ylim(0, 1.03)
+        one.set_xlabel("confidence")
+    for row in axes:
+        row[0].set_ylabel("share right")
     return figures.finish(figure, "Confidence of detections", os.path.join(folder, "reliability.png"),
                           note="ECE: expected calibration error, the mean distance of the two, weighted by the "
-                               "detections.")
+                               "detections. Grey: how many these are, logarithmically.")
 
 
 def normalised_errors(lines, folder):

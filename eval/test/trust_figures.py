@@ -122,7 +122,7 @@ def test_frames_that_were_shuffled_stand_apart():
 def test_titles_are_as_wide_as_their_panels():
     title = trust_plots.title_of("frames of other sensors, and with blots", 0.005)
     assert title.split("\n")[-1] == "ECE 0.005" and " ".join(title.split("\n")[:-1]).endswith("and with blots")
-    assert max(map(len, title.split("\n"))) <= 22
+    assert max(map(len, title.split("\n"))) <= 18
 
 
 def test_plots_are_drawn_of_what_there_is_and_of_nothing_none():
