@@ -80,11 +80,11 @@ class Search {
   explicit Search(Detector& detector) : detector_(detector) {}
 
   const Detections& detect(const Cloud& cloud, bool from_camera) {
-    was_moved_ = false;
+    searched_ = &cloud;
     if (!from_camera || cloud.organized()) return detector_.detect(cloud);
     const CameraSearch found = searchForCamera(cloud);
     if (!found.cloud_from_camera) return detector_.detect(cloud);
-    was_moved_ = true;
+    searched_ = &moved_;
     moved_ = cloud;
     moved_.move(found.cloud_from_camera->inverse(), DepthRange());
     found_ = detector_.detect(moved_);
@@ -92,14 +92,12 @@ class Search {
     return found_;
   }
 
-  /// Of the cloud given to the last detect().
-  void label(const Cloud& cloud, std::vector<std::uint32_t>& labels) const {
-    detector_.label(was_moved_ ? moved_ : cloud, labels);
-  }
+  /// Of the cloud given to the last detect(), which must still be there.
+  void label(std::vector<std::uint32_t>& labels) const { detector_.label(*searched_, labels); }
 
  private:
   Detector& detector_;
-  bool was_moved_ = false;
+  const Cloud* searched_ = nullptr;  ///< that one, or moved_
   Cloud moved_;
   Detections found_;
 };
@@ -124,7 +122,7 @@ Answer detectTimed(Detector& detector, const LabelledCloud& input, int repeat) {
     if (detections.status != Status::ok) answer.failure = statusName(detections.status);
   }
   for (const Detection& detection : answer.detections) answer.shapes.push_back(detection.shape);
-  search.label(input.cloud, answer.labels);
+  search.label(answer.labels);
   detector.onStageDone(nullptr);
   return answer;
 }

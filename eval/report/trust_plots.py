@@ -20,18 +20,23 @@ def title_of(group, error):
     return "%s\nECE %.3f" % (textwrap.fill(group, 18), error)
 
 
+def grid(count, most_in_a_row, row_height, **options):
+    """A figure, its axes in rows, and the first `count` of them; the others are hidden."""
+    rows = -(-count // most_in_a_row)
+    figure, axes = figures.panels(rows, -(-count // rows), 1.2 + row_height * rows, **options)
+    places = [one for row in axes for one in row]
+    for one in places[count:]:
+        one.set_visible(False)
+    return figure, axes, places[:count]
+
+
 def reliability(lines, folder):
     """A diagram for each group: the share right over the confidence, and how many. None without confidences."""
     chosen = {name: trust.reliability(some) for name, some in trust.groups(lines).items()}
     chosen = {name: bins for name, bins in chosen.items() if trust.calibration_error(bins) is not None}
     if not chosen:
         return None
-    rows = -(-len(chosen) // MOST_IN_A_ROW)
-    columns = -(-len(chosen) // rows)
-    figure, axes = figures.panels(rows, columns, 1.2 + 2.9 * rows)
-    places = [one for row in axes for one in row]
-    for one in places[len(chosen):]:
-        one.set_visible(False)
+    figure, axes, places = grid(len(chosen), MOST_IN_A_ROW, 2.9)
     most = max(one.count for bins in chosen.values() for one in bins)
     for one, (name, bins) in zip(places, chosen.items()):
         one.bar([(k + 0.5) / trust.BINS for k in range(trust.BINS)],
@@ -59,11 +64,7 @@ def normalised_errors(lines, folder):
     chosen = {name: errors for name, errors in chosen.items() if any(count for _, count in errors.values())}
     if not chosen:
         return None
-    rows = -(-len(chosen) // 2)  # of two panels: names of kinds need their place
-    figure, axes = figures.panels(rows, min(len(chosen), 2), 1.2 + 3.0 * rows, sharey=True)
-    places = [one for row in axes for one in row]
-    for one in places[len(chosen):]:
-        one.set_visible(False)
+    figure, axes, places = grid(len(chosen), 2, 3.0, sharey=True)  # names of kinds need their place
     width = 0.16
     # At least a decade, or nearly equal values look far apart.
     values = [value for errors in chosen.values() for value, _ in errors.values() if value]

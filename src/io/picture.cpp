@@ -55,8 +55,7 @@ cv::Mat labelCells(const LabelledPoints& points, const View& view) {
 
 /// Where the name of a detection points to: the middle of the largest free disc of its points in the picture, else the
 /// origin of its extent.
-std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const View& view) {
-  const cv::Mat cells = labelCells(points, view);
+std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const cv::Mat& cells, const View& view) {
   std::vector<cv::Point> anchors;
   for (std::size_t i = 0; i < points.detections.items.size(); ++i) {
     cv::Mat own, room;
@@ -76,21 +75,17 @@ std::vector<cv::Point> anchorsOf(const LabelledPoints& points, const View& view)
 }
 
 /// Which cells show small things, such as names should not hide; of a table or wall they may.
-cv::Mat smallThings(const LabelledPoints& points, const View& view) {
+cv::Mat smallThings(std::size_t detections, const cv::Mat& cells) {
   constexpr double kLarge = 0.08;  // of the picture
-  const cv::Mat cells = labelCells(points, view);
   cv::Mat things(cells.size(), CV_8UC1, cv::Scalar(0));
-  for (std::size_t i = 0; i < points.detections.items.size(); ++i) {
+  for (std::size_t i = 0; i < detections; ++i) {
     const cv::Mat own = cells == static_cast<int>(i + 1);
     if (cv::countNonZero(own) < kLarge * static_cast<double>(cells.total())) things.setTo(1, own);
   }
   return things;
 }
 
-}  // namespace
-
-std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
-  const std::vector<cv::Point> anchors = anchorsOf(points, view);
+std::vector<NameTag> tagsAt(const std::vector<cv::Point>& anchors, const LabelledPoints& points) {
   std::vector<NameTag> tags;
   for (const bool planes : {false, true}) {
     for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -103,6 +98,12 @@ std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
     }
   }
   return tags;
+}
+
+}  // namespace
+
+std::vector<NameTag> tagsOf(const LabelledPoints& points, const View& view) {
+  return tagsAt(anchorsOf(points, labelCells(points, view), view), points);
 }
 
 cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics>& lens, const std::string& title) {
@@ -123,7 +124,9 @@ cv::Mat drawPicture(const LabelledPoints& points, const std::optional<Intrinsics
   for (const Detection& detection : points.detections.items) {
     drawLines(picture, projectLines(outlineOf(detection, view), view), bgr(kindOf(detection.shape)));
   }
-  drawTags(picture, tagsOf(points, view), {smallThings(points, view), kCell});
+  const cv::Mat cells = labelCells(points, view);
+  drawTags(picture, tagsAt(anchorsOf(points, cells, view), points),
+           {smallThings(points.detections.items.size(), cells), kCell});
   constexpr int kLeastWidth = 320;  // px: what the caption can be read in
   const int missing = std::max(0, kLeastWidth - picture.cols);
   if (missing > 0) cv::copyMakeBorder(picture, picture, 0, 0, 0, missing, cv::BORDER_CONSTANT, cv::Scalar::all(30));

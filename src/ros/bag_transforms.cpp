@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "late_transform.h"
+#include "recorded_messages.h"
 
 namespace primitect::ros_layer {
 
@@ -23,8 +24,7 @@ BagTransforms::BagTransforms(const std::vector<std::unique_ptr<rosbag::Bag>>& ba
 }
 
 void BagTransforms::add(const rosbag::MessageInstance& recorded) try {
-  const auto message = recorded.instantiate<tf2_msgs::TFMessage>();  // that of tf has the same fields, and sum
-  if (!message) throw std::runtime_error("no transforms");
+  const auto message = messageOf<tf2_msgs::TFMessage>(recorded);  // that of tf has the same fields, and sum
   const bool is_static = recorded.getTopic().find("static") != std::string::npos;
   for (const auto& transform : message->transforms) {
     ++(transforms_->setTransform(transform, "bag", is_static) ? usable_ : unusable_);

@@ -50,6 +50,14 @@ inline void refuseNodeArguments(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// Throws std::invalid_argument for a value that was given and is empty, as an unset variable of a shell gives it.
+inline void refuseEmpty(const CLI::App& app, const std::vector<const char*>& options, const std::string& expected) {
+  for (const char* option : options) {
+    if (app.count(option) == 0 || !app.get_option(option)->as<std::string>().empty()) continue;
+    throw std::invalid_argument(std::string(option) + ": empty, expected " + expected);
+  }
+}
+
 /// False when all is said (--help, --version). Throws std::invalid_argument, one line, for what is wrong.
 inline bool parseOrSay(CLI::App& app, int argc, char** argv) try {
   refuseNodeArguments(app, argc, argv);

@@ -80,14 +80,6 @@ void checkPictures(const DetectBagOptions& options) {
   }
 }
 
-/// As an unset variable of a shell gives it.
-void refuseEmpty(const CLI::App& app) {
-  for (const char* option : {"--topic", "--camera-info", "--json", "--pictures", "--out"}) {
-    if (app.count(option) == 0 || !app.get_option(option)->as<std::string>().empty()) continue;
-    throw std::invalid_argument(std::string(option) + ": empty, expected is a name");
-  }
-}
-
 void checkSeconds(const std::string& option, double seconds) {
   constexpr double kMost = 1e9;
   if (0.0 <= seconds && seconds <= kMost) return;
@@ -117,7 +109,7 @@ std::optional<DetectBagOptions> parseDetectBagOptions(int argc, char** argv) {
   app.add_option("--out", job.output, "write primitives and markers as a bag")->type_name("FILE.bag");
   param_options.addTo(app, {"transform_patience"});
   if (!parseOrSay(app, argc, argv)) return std::nullopt;
-  refuseEmpty(app);
+  refuseEmpty(app, {"--topic", "--camera-info", "--json", "--pictures", "--out"}, "is a name");
   ParamLayers params;
   param_options.take(app, params);
   if (param_options.printWanted()) {

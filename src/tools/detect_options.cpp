@@ -126,11 +126,7 @@ void takeMainOptions(const CLI::App& app, const RawOptions& raw, DetectOptions& 
   if (app.count("--sensor")) options.sensor = io::parseSensorPose(raw.sensor);
   for (const std::string& step : raw.left_out) options.left_out.add(stepOf(step));
   if (app.count("--repeat")) options.repeats = repeatCount(raw.repeats);
-  for (const char* output : {"--json", "--labels", "--picture"}) {
-    if (app.count(output) && app.get_option(output)->as<std::string>().empty()) {
-      throw std::invalid_argument(std::string(output) + ": empty, expected a file or directory");
-    }
-  }
+  refuseEmpty(app, {"--json", "--labels", "--picture"}, "a file or directory");
   if (options.labels == "-" || options.picture == "-") {
     throw std::invalid_argument("--labels and --picture write to a file or directory, not to '-'");
   }

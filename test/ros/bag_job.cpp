@@ -218,15 +218,23 @@ TEST_F(BagJobs, GiveThePixelsOfADepthImageTheirPlaces) {
   expectAt(4, 0.0f, 0.02f, 1.0f);
 }
 
-std::string refusalOf(const sensor_msgs::Image& image, double focal_length = 100.0) {
-  sensor_msgs::CameraInfo camera;
-  camera.P = {focal_length, 0, 1, 0, 0, focal_length, 0, 0, 0, 0, 1, 0};
+std::string refusalOf(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& camera) {
   try {
     cloudOf(boost::make_shared<sensor_msgs::Image>(image), camera);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
   return "";
+}
+
+sensor_msgs::CameraInfo cameraWith(double focal_length) {
+  sensor_msgs::CameraInfo camera;
+  camera.P = {focal_length, 0, 1, 0, 0, focal_length, 0, 0, 0, 0, 1, 0};
+  return camera;
+}
+
+std::string refusalOf(const sensor_msgs::Image& image, double focal_length = 100.0) {
+  return refusalOf(image, cameraWith(focal_length));
 }
 
 TEST_F(BagJobs, TakeNoImageOrCameraThatCannotBeRight) {
@@ -253,20 +261,14 @@ TEST_F(BagJobs, TakeNoImageOrCameraThatCannotBeRight) {
 
 /// Of an image of 4 x 2 pixels.
 std::string refusalOf(const sensor_msgs::CameraInfo& camera) {
-  sensor_msgs::ImagePtr image(new sensor_msgs::Image);
-  image->width = 4, image->height = 2, image->encoding = "16UC1", image->step = 8;
-  image->data.resize(16);
-  try {
-    cloudOf(image, camera);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  sensor_msgs::Image image;
+  image.width = 4, image.height = 2, image.encoding = "16UC1", image.step = 8;
+  image.data.resize(16);
+  return refusalOf(image, camera);
 }
 
 TEST_F(BagJobs, TakeNoCameraOfAnotherSizeThanTheImages) {
-  sensor_msgs::CameraInfo camera;
-  camera.P = {100, 0, 1, 0, 0, 100, 0, 0, 0, 0, 1, 0};
+  sensor_msgs::CameraInfo camera = cameraWith(100.0);
   EXPECT_EQ(refusalOf(camera), "") << "it does not tell its size";
   camera.width = 4, camera.height = 2;
   EXPECT_EQ(refusalOf(camera), "");
