@@ -45,9 +45,9 @@ std::string describeShape(const Primitive& primitive) {
   if (primitive.type == Primitive::PLANE) return "plane " + io::lengthsText(primitive.size[0], primitive.size[1]);
   if (primitive.type == Primitive::SPHERE) return "sphere r " + io::lengthText(primitive.radius);
   if (primitive.type == Primitive::CYLINDER)
-    return "cylinder r " + io::lengthText(primitive.radius) + ", " + io::lengthText(primitive.size[2]);
+    return "cylinder r " + io::lengthText(primitive.radius) + " x " + io::lengthText(primitive.size[2]);
   const long half_angle = std::lround(kDegrees * primitive.half_angle);
-  return "cone " + std::to_string(half_angle) + " deg, " + io::lengthText(primitive.size[2]);
+  return "cone " + std::to_string(half_angle) + " deg x " + io::lengthText(primitive.size[2]);
 }
 
 }  // namespace

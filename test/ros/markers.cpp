@@ -149,7 +149,7 @@ TEST(Markers, ShowSphereAndCylinderInTheirSize) {
   EXPECT_EQ(cylinder.type, Marker::CYLINDER);
   EXPECT_NEAR(cylinder.scale.y, 0.078, 1e-6);
   EXPECT_NEAR(cylinder.scale.z, 0.12, 1e-6);
-  EXPECT_EQ(markerOf(array, "cylinder_text").text, "cylinder r 39 mm, 120 mm");
+  EXPECT_EQ(markerOf(array, "cylinder_text").text, "cylinder r 39 mm x 120 mm");
 }
 
 TEST(Markers, OfAShapeSeenFromInsideSaySoAndAreDrawnAlike) {
@@ -157,7 +157,7 @@ TEST(Markers, OfAShapeSeenFromInsideSaySoAndAreDrawnAlike) {
   const auto outside = MarkerWriter().update(messageOf({tube}), MarkerStyle());
   tube.concave = true;
   const auto inside = MarkerWriter().update(messageOf({tube}), MarkerStyle());
-  EXPECT_EQ(markerOf(inside, "cylinder_text").text, "concave cylinder r 39 mm, 120 mm");
+  EXPECT_EQ(markerOf(inside, "cylinder_text").text, "concave cylinder r 39 mm x 120 mm");
   ASSERT_EQ(inside.markers.size(), outside.markers.size());
   EXPECT_EQ(markerOf(inside, "cylinder").scale.x, markerOf(outside, "cylinder").scale.x);
   EXPECT_EQ(markerOf(inside, "cylinder").scale.z, markerOf(outside, "cylinder").scale.z);
@@ -168,8 +168,8 @@ TEST(Markers, SayHowSureADetectionIsWhereItIsNot) {
   for (Detection& item : items) item.confidence = 0.733f;
   const auto doubtful = MarkerWriter().update(messageOf(items), MarkerStyle());
   EXPECT_EQ(markerOf(doubtful, "sphere_text").text, "sphere r 39 mm 73 %");
-  EXPECT_EQ(markerOf(doubtful, "cylinder_text").text, "cylinder r 39 mm, 120 mm 73 %");
-  EXPECT_EQ(markerOf(doubtful, "cone_text").text, "cone 22 deg, 100 mm 73 %");
+  EXPECT_EQ(markerOf(doubtful, "cylinder_text").text, "cylinder r 39 mm x 120 mm 73 %");
+  EXPECT_EQ(markerOf(doubtful, "cone_text").text, "cone 22 deg x 100 mm 73 %");
   EXPECT_EQ(markerOf(doubtful, "plane_text").text, "plane 500 x 500 mm 73 %");
   for (Detection& item : items) item.confidence = 0.973f;
   const auto sure = MarkerWriter().update(messageOf(items), MarkerStyle());
