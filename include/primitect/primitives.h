@@ -153,7 +153,7 @@ enum class Refusal : std::uint8_t {
   half_angle,   ///< a fit is a cone sharper than min_half_angle_deg or flatter than max_half_angle_deg
   edge_on,      ///< a fit is a plane in which the sensor lies
   unlikely,     ///< less than min_confidence
-  not_seen,     ///< a tube or a cone of which the image shows no part
+  not_seen,     ///< a tube or a cone of which the image shows no part, a ball that the camera looks into
 };
 constexpr std::size_t kRefusalCount = 7;
 

@@ -22,6 +22,8 @@
 #include "core/extent.h"
 #include "core/misfit.h"
 #include "core/observed_part.h"
+#include "core/open_ball.h"
+#include "core/seen_ends.h"
 #include "core/seen_share.h"
 #include "core/shared_noise.h"
 #include "core/strip.h"
@@ -253,8 +255,13 @@ double Measurement::leaveOutThinEnds(const Shape& shape) {
 double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept) {
   constexpr double kMost = 0.7;
   if (!does(Step::seen_share)) return 1.0;
-  const SeenShare seen = seenShare(detection, index, {cloud_, rays_, range_, sigma_});
-  if (!seen.part || !noise_.ofDepthCamera()) return seen.all;
+  const AskedImage image{cloud_, rays_, range_, sigma_};
+  SeenShare seen = seenShare(detection, index, image);
+  if (!noise_.ofDepthCamera()) return seen.all;
+  if (const Cylinder* tube = std::get_if<Cylinder>(&detection.shape); tube && !seen.part) {
+    seen.part = seenEnds(*tube, detection.concave, detection.extent, image), seen.in_part = seen.all;
+  }
+  if (!seen.part) return seen.all;
   List<std::uint32_t> in_part;
   for (const std::uint32_t i : index) {
     if (seen.part->holds(heightOn(detection, cloud_, i))) in_part.push_back(i);
@@ -264,6 +271,13 @@ double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& 
   points_.gather(cloud_, kept);
   detection.extent = measureExtent(detection.shape, points_, {});
   return seen.in_part;
+}
+
+/// What its samples did not tell, as they were taken for another kind.
+bool Measurement::looksInto(const Detection& detection) const {
+  const Sphere* ball = std::get_if<Sphere>(&detection.shape);
+  if (!ball || detection.concave || !noise_.ofDepthCamera() || !does(Step::seen_share)) return false;
+  return isOpen(*ball, {cloud_, rays_, range_, sigma_});
 }
 
 void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32_t>& clear, const OnSurface& on_surface,
@@ -290,6 +304,7 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   const Density density = noise_.ofDepthCamera() ? Density::of_pixels : Density::of_surface;
   detection.coverage = measureCoverage(detection.shape, detection.extent, points_, density);
   detection.confidence *= static_cast<float>(trustInShare(seen_share));
+  if (looksInto(detection)) detection.confidence = 0.0f;
   const Truncated truncated = truncation_.find(detection.shape, detection.extent, index);
   detection.truncated = truncated.by;
   // Where noise ends a surface, pixels tell little: neither what is seen of it nor why it ends is asked there.

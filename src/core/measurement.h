@@ -72,6 +72,7 @@ class Measurement {
   Uncertainties uncertaintyOf(const Shape& fit, HeldAxis axis, const Extent& extent,
                               const DepthWaves* waves = nullptr) const;
   double leaveOutThinEnds(const Shape& shape);
+  bool looksInto(const Detection& detection) const;
   double keepToSeen(Detection& detection, const List<std::uint32_t>& index, List<std::uint32_t>& kept);
   void endAtFacesOrTip(Detection& detection) const;
   Fit fitted(const List<std::uint32_t>& clear, const OnSurface& on_surface, const Detection& found,

@@ -8,20 +8,10 @@
 
 #include "core/axis_extent.h"
 #include "core/frame_memory.h"
-#include "core/image_rays.h"
-#include "core/point_noise.h"
-#include "primitect/cloud.h"
+#include "core/image_sight.h"
 #include "primitect/primitives.h"
 
 namespace primitect {
-
-/// The image that is asked what it shows.
-struct AskedImage {
-  const Cloud& cloud;
-  const ImageRays& rays;
-  const DepthRange& range;  ///< outside of it, points of this cloud were made missing
-  const PointNoise& sigma;  ///< m, noise of the distance to a surface, at a point
-};
 
 /// How much of a cylinder or cone is seen, [0, 1].
 struct SeenShare {

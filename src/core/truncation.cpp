@@ -226,13 +226,14 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
   if (pixels.empty()) return truncated;
   const auto starts = startsOf(pixels);
   std::array<std::size_t, 8> counts = {};
-  UnseenEnds ends(extent);
+  const Kind kind = kindOf(shape);
+  UnseenEnds ends(kind, extent);
   const auto walkAll = [&](const auto& any) {
     const auto& on = opened(any);
     for (const auto& [start, step] : starts) {
       const std::uint8_t end = Walk(cloud_, rays_, range_, sigma_, on).from(start, step);
       ++counts[end];
-      if (!has_axis) continue;
+      if (kind == Kind::sphere) continue;
       const auto first = surfaceStep(on, rays_, cloud_.z[indexOf(start, cloud_)], start, step);
       if (first) ends.add(first->from, first->step, end);
     }
@@ -245,9 +246,9 @@ Truncated TruncationFinder::find(const Shape& shape, const Extent& extent,
     return walks * counts[bit] >= starts.size();
   };
   // Where a list ends the camera may have ended, or a filter, or the thing itself.
-  const std::uint8_t at_ends = has_axis ? ends.cutOffBy() : 0;
+  const std::uint8_t at_ends = ends.cutOffBy();
   if (!rays_.border_known && (reached(kTruncatedByImage) || (at_ends & kTruncatedByImage) != 0)) return unknown();
-  truncated.by = at_ends;  // a narrow end has few of all walks
+  truncated.by = at_ends;  // a narrow end has few of all walks, as that of a plank
   for (const std::uint8_t bit : {kTruncatedByImage, kTruncatedByDepth, kTruncatedByOcclusion}) {
     if (reached(bit)) truncated.by |= bit;
   }

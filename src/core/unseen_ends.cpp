@@ -8,18 +8,22 @@
 
 namespace primitect {
 
-UnseenEnds::UnseenEnds(const Extent& extent) : extent_(extent) {}
+UnseenEnds::UnseenEnds(Kind kind, const Extent& extent) : origin_(extent.origin) {
+  const int longer = extent.size.x() >= extent.size.y() ? 0 : 1;
+  const int column = kind == Kind::plane ? longer : 2;
+  axis_ = extent.rotation.col(column);
+  length_ = extent.size[column];
+}
 
 void UnseenEnds::add(const Vec3& from, const Vec3& step, std::uint8_t cut_off_by) {
   constexpr double kAlong = 0.7;                // of the step: within 45 deg of the axis
   constexpr double kNear = 0.15, kSteps = 3.0;  // of the length; pixels
-  const Vec3 axis = extent_.rotation.col(2);
-  const double forward = axis.dot(step);
+  const double forward = axis_.dot(step);
   if (!(std::abs(forward) > kAlong * step.norm())) return;
-  const double place = axis.dot(from - extent_.origin), length = extent_.size.z();
+  const double place = axis_.dot(from - origin_);
   // To the end that lies ahead.
-  const double to_end = 0.5 * length - (forward > 0.0 ? place : -place);
-  if (!(to_end <= std::max(kNear * length, kSteps * std::abs(forward)))) return;
+  const double to_end = 0.5 * length_ - (forward > 0.0 ? place : -place);
+  if (!(to_end <= std::max(kNear * length_, kSteps * std::abs(forward)))) return;
   Walks& walks = forward > 0.0 ? plus_ : minus_;
   ++walks.count;
   if (cut_off_by != 0) ++walks.cut_off;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which end of an axis was seen, and where the shape may go on.
+// Which end of a shape was seen, along its axis or the longer side of a plane, and where it may go on.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace primitect {
 
-/// Of a cylinder or a cone, from walks over the image that begin at the border of its points.
+/// Of a cylinder, a cone or a plane, from walks over the image that begin at the border of its points.
 class UnseenEnds {
  public:
-  explicit UnseenEnds(const Extent& extent);
+  UnseenEnds(Kind kind, const Extent& extent);
 
   /// A walk that begins on a point of the surface (m), whose next pixel would see it `step` (m) farther, and the bit of
   /// why the sensor could not see on (truncation.h), 0 where it could. It tells of an end if it runs along the axis and
@@ -33,7 +33,8 @@ class UnseenEnds {
     bool unseen() const { return 2 * cut_off >= count; }
   };
 
-  const Extent& extent_;
+  Vec3 origin_, axis_;
+  double length_;
   Walks minus_, plus_;
 };
 

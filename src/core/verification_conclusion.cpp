@@ -209,7 +209,7 @@ bool Verification::refuseUnseen(const IsSeen& is_seen) {
   if (!is_seen || !(params_.min_confidence > 0.0) || !params_.does(Step::seen_tubes)) return false;
   bool any = false;
   for (Segment& segment : segments_) {
-    if (!hasAxis(kindOf(segment.candidate.shape)) || is_seen(segment)) continue;
+    if (kindOf(segment.candidate.shape) == Kind::plane || is_seen(segment)) continue;
     segment.confidence = 0.0;
     refuse(segment, Refusal::not_seen);
     any = true;

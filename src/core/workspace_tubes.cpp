@@ -9,6 +9,7 @@
 #include "core/extent.h"
 #include "core/far_sides.h"
 #include "core/measurement.h"
+#include "core/open_ball.h"
 #include "core/seen_share.h"
 #include "core/tube_gaps.h"
 #include "core/workspace.h"
@@ -36,6 +37,11 @@ struct Thing {
 /// this, saw in 160 frames and that were missing, 5 lay in a tube or cone that was refused at the end.
 bool Detector::Workspace::isSeen(const Segment& tube, const Cloud& cloud) {
   if (!depth_camera || !isDepthImage(cloud) || arrangement.isApproximate()) return true;
+  const PointNoise sigma(verification.fullNoise());
+  const AskedImage image{cloud, raysOf(cloud, normal_source), depthRangeOf(params), sigma};
+  if (const Sphere* ball = std::get_if<Sphere>(&tube.candidate.shape)) {
+    return tube.candidate.concave || !isOpen(*ball, image);
+  }
   Detection found;
   found.shape = tube.candidate.shape, found.concave = tube.candidate.concave;
   SeenPoints seen_points;
@@ -43,8 +49,7 @@ bool Detector::Workspace::isSeen(const Segment& tube, const Cloud& cloud) {
   found.extent = measureExtent(found.shape, seen_points, {});
   List<std::uint32_t> pixels;
   for (const std::uint32_t i : tube.inliers) pixels.push_back(verification.samples().index[i]);
-  const PointNoise sigma(verification.fullNoise());
-  return isSeenSomewhere(found, pixels, {cloud, raysOf(cloud, normal_source), depthRangeOf(params), sigma});
+  return isSeenSomewhere(found, pixels, image);
 }
 
 /// The first part that has enough points keeps the label, each other one gets one of its own. Parts with fewer are of

@@ -149,6 +149,20 @@ TEST(Truncation, OfATableThatLeavesTheImageIsByTheImage) {
   EXPECT_EQ(view.truncationOf(table) & ~kTruncatedByDepth, kTruncatedByImage);
 }
 
+/// Of some four dozen walks two go along it.
+TEST(Truncation, OfAPlankThatRunsSlantwiseThroughTheImageIsByTheImage) {
+  for (const double yaw : {-0.4, -0.2, 0.2, 0.4}) {
+    for (const double half_length : {2.0, 0.3}) {
+      View view;
+      const int plank = static_cast<int>(view.world.surfaces().size()) + 5;
+      view.world.add("plank", Box{0.035, half_length, 0.01}, at(0, 0, 0) * Eigen::AngleAxisd(yaw, Vec3::UnitZ()));
+      view.render();
+      ASSERT_GT(view.samplesOf(plank).size(), 50u);
+      EXPECT_EQ(view.truncationOf(plank), half_length > 1.0 ? kTruncatedByImage : 0) << yaw << " " << half_length;
+    }
+  }
+}
+
 TEST(Truncation, OfATableBeyondTheDepthCutIsByTheDepth) {
   View view;
   const int table = addTable(view.world, 0.55, 0.3);

@@ -110,7 +110,7 @@ Extent rodOfTwentyCentimetres() {
 TEST(UnseenEnds, AreToldByWalksAlongTheAxisFromNearThem) {
   const Extent extent = rodOfTwentyCentimetres();
   const Vec3 up(0.0, 0.0, 0.002), across(0.002, 0.0, 0.001), near_top(0.0, 0.05, 0.08), near_foot(0.0, 0.05, -0.08);
-  UnseenEnds ends(extent);
+  UnseenEnds ends(Kind::cylinder, extent);
   EXPECT_EQ(ends.bits(), kEndAtMinusZ | kEndAtPlusZ) << "nobody looked";
   ends.add(near_top, up, 0);
   EXPECT_EQ(ends.bits(), kEndAtMinusZ);
@@ -134,7 +134,7 @@ TEST(UnseenEnds, AreToldByWalksAlongTheAxisFromNearThem) {
 
 /// Whether a walk from there, in steps of 2 mm at this angle to the axis (deg), tells of the end at +z.
 bool tells(const Extent& extent, const Vec3& from, double degrees) {
-  UnseenEnds ends(extent);
+  UnseenEnds ends(Kind::cylinder, extent);
   ends.add(from, 0.002 * Vec3(std::sin(degrees * M_PI / 180.0), 0.0, std::cos(degrees * M_PI / 180.0)), 0);
   return !(ends.bits() & kEndAtPlusZ);
 }
@@ -143,6 +143,20 @@ TEST(UnseenEnds, AreToldByStepsThatGoAlongTheAxisMoreThanAcross) {
   const Vec3 near_top(0.0, 0.05, 0.09);
   EXPECT_TRUE(tells(rodOfTwentyCentimetres(), near_top, 40.0));
   EXPECT_FALSE(tells(rodOfTwentyCentimetres(), near_top, 50.0));
+}
+
+TEST(UnseenEnds, OfAPlaneAreThoseOfItsLongerSide) {
+  for (const int longer : {0, 1}) {
+    Extent extent;
+    extent.size = Vec3(0.1, 0.1, 0.0);
+    extent.size[longer] = 0.5;
+    UnseenEnds ends(Kind::plane, extent);
+    const Vec3 along = Vec3::Unit(longer), across = Vec3::Unit(1 - longer);
+    ends.add(0.05 * across, 0.002 * across, kTruncatedByOcclusion);
+    EXPECT_EQ(ends.cutOffBy(), 0);
+    ends.add(-0.24 * along, -0.002 * along, kTruncatedByImage);
+    EXPECT_EQ(ends.cutOffBy(), kTruncatedByImage);
+  }
 }
 
 TEST(UnseenEnds, OfAThingOfFewPixelsAreWithinThreeOfThem) {
