@@ -13,9 +13,10 @@
 namespace primitect {
 
 /// Rings of a cylinder are looked at from either end of its extent, where they face the sensor. An end lies before the
-/// rings of which less than two thirds are on the surface, from two pixels and a twenty-fourth of the length on, up to
-/// three tenths of it; a ring that is mostly hidden, or missing, is one of the cylinder's. Returns what is left along
-/// the axis, from the extent's origin (m), without an end where the extent has its own; nothing where it has both.
+/// rings of which less than two thirds are on the surface, where these are two pixels and a twenty-fourth of the length
+/// at least; no more than three tenths of it are left out at an end. A ring that is mostly hidden, or missing, is one
+/// of the cylinder's. Returns what is left along the axis, from the extent's origin (m), without an end where the
+/// extent has its own; nothing where it has both.
 std::optional<AxisPart> seenEnds(const Cylinder& cylinder, bool concave, const Extent& extent, const AskedImage& image);
 
 }  // namespace primitect

@@ -204,7 +204,8 @@ bool Verification::refuseTwins() {
   return any;
 }
 
-/// A tube through the edge of a table, or a cone over three things, may be as likely on the samples as what is there.
+/// A tube through the edge of a table, a cone over three things, or a ball over the tread of a tyre may be as likely on
+/// the samples as what is there.
 bool Verification::refuseUnseen(const IsSeen& is_seen) {
   if (!is_seen || !(params_.min_confidence > 0.0) || !params_.does(Step::seen_tubes)) return false;
   bool any = false;

@@ -32,7 +32,8 @@ struct Thing {
 
 }  // namespace
 
-/// Whether the image shows enough of a cylinder or a cone of samples, at least of one part along its axis. What it does
+/// Whether the image shows enough of a cylinder or a cone of samples, at least of one part along its axis; of a ball,
+/// whether the camera does not look into it. What it does
 /// not is refused while others may still have its samples: of 70 things that a simulated Kinect, which is not part of
 /// this, saw in 160 frames and that were missing, 5 lay in a tube or cone that was refused at the end.
 bool Detector::Workspace::isSeen(const Segment& tube, const Cloud& cloud) {
