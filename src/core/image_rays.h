@@ -21,6 +21,10 @@ struct ImageRays {
 
   /// Through a pixel, with z = 1: times a depth it is the point (m).
   Vec3 through(int column, int row) const { return {x_offset + x_scale * column, y_offset + y_scale * row, 1.0}; }
+  /// Column and row, not rounded, at which a point in front of the camera (m) is seen.
+  Eigen::Vector2d pixelOf(const Vec3& point) const {
+    return {(point.x() / point.z() - x_offset) / x_scale, (point.y() / point.z() - y_offset) / y_scale};
+  }
   bool measures(int column, int row) const {
     return first_column <= column && column <= last_column && first_row <= row && row <= last_row;
   }

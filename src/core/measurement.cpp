@@ -273,7 +273,7 @@ double Measurement::keepToSeen(Detection& detection, const List<std::uint32_t>& 
   return seen.in_part;
 }
 
-/// What its samples did not tell, as they were taken for another kind.
+/// What Verification asks of samples, while others may have them; but its rounds may be over before it has asked.
 bool Measurement::looksInto(const Detection& detection) const {
   const Sphere* ball = std::get_if<Sphere>(&detection.shape);
   if (!ball || detection.concave || !noise_.ofDepthCamera() || !does(Step::seen_share)) return false;

@@ -44,9 +44,9 @@ struct Span {
   int count() const { return std::max(0, last - first + 1); }
 };
 
-/// Where x/z, or y/z, is within reach of the middle.
-Span spanOf(double middle, double reach, double offset, double scale, std::uint32_t count) {
-  const auto [low, high] = std::minmax({(middle - reach - offset) / scale, (middle + reach - offset) / scale});
+/// Between two places in a row or column of so many pixels.
+Span spanOf(double a, double b, std::uint32_t count) {
+  const auto [low, high] = std::minmax(a, b);
   const double last = static_cast<double>(count) - 1.0;
   return {static_cast<int>(std::clamp(std::ceil(low), 0.0, last + 1.0)),
           static_cast<int>(std::clamp(std::floor(high), -1.0, last))};
@@ -57,11 +57,11 @@ Span spanOf(double middle, double reach, double offset, double scale, std::uint3
 SightsOfBall sightsOf(const Sphere& ball, const AskedImage& image) {
   constexpr double kPlaces = 400.0, kFewest = 50.0;  // of the box around the outline; within the outline
   const ImageRays& rays = image.rays;
-  const double z = ball.center.z();
-  if (!rays.known || !(z > ball.radius)) return {};
-  const double reach = ball.radius / z;  // what of the outline is farther out is at the limb
-  const Span columns = spanOf(ball.center.x() / z, reach, rays.x_offset, rays.x_scale, image.cloud.width);
-  const Span rows = spanOf(ball.center.y() / z, reach, rays.y_offset, rays.y_scale, image.cloud.height);
+  if (!rays.known || !(ball.center.z() > ball.radius)) return {};
+  const Vec3 reach(ball.radius, ball.radius, 0.0);  // what of the outline is farther out is at the limb
+  const Eigen::Vector2d from = rays.pixelOf(ball.center - reach), to = rays.pixelOf(ball.center + reach);
+  const Span columns = spanOf(from.x(), to.x(), image.cloud.width);
+  const Span rows = spanOf(from.y(), to.y(), image.cloud.height);
   const double area = static_cast<double>(columns.count()) * static_cast<double>(rows.count());
   const int step = std::max(1, static_cast<int>(std::sqrt(area / kPlaces)));
   double all = 0.0, of[4] = {};

@@ -20,9 +20,9 @@ struct SightsOfBall {
 /// Of a sphere in front of the camera and outside of it. No sights where the rays of the image are not known.
 SightsOfBall sightsOf(const Sphere& ball, const AskedImage& image);
 
-/// Whether the camera looks into it, or through it, and sees no bowl. Of simulated tyres and rings .18 and more of the
-/// places show what is deep in them and .05 at most the far side; of bowls, with things in them, .3 and .27 to .64; of
-/// balls none do.
+/// Whether the camera looks into it, or through it, and sees no bowl. Of tyres and rings that another renderer, which
+/// is not part of this, made, .18 and more of the places show what is deep in them and .05 at most the far side; of
+/// bowls with things in them .3 and .27; of balls none do.
 bool isOpen(const Sphere& ball, const AskedImage& image);
 
 }  // namespace primitect

@@ -10,12 +10,12 @@
 namespace primitect {
 namespace {
 
-constexpr int kRingsAlong = 48, kAround = 32;
+constexpr int kRingsOfLength = 48, kPlacesOnRing = 32;
 
 /// Looks at rings around the axis.
-class Rings {
+class RingsInImage {
  public:
-  Rings(const Cylinder& cylinder, bool concave, const Extent& extent, const AskedImage& image)
+  RingsInImage(const Cylinder& cylinder, bool concave, const Extent& extent, const AskedImage& image)
       : cylinder_(cylinder),
         concave_(concave),
         extent_(extent),
@@ -26,8 +26,8 @@ class Rings {
   bool isGone(double height) const {
     constexpr int kFewest = 5;
     int surface = 0, asked = 0;
-    for (int k = 0; k < kAround; ++k) {
-      const std::optional<Sight> sight = at(height, 2.0 * M_PI * k / kAround);
+    for (int k = 0; k < kPlacesOnRing; ++k) {
+      const std::optional<Sight> sight = at(height, 2.0 * M_PI * k / kPlacesOnRing);
       if (!sight || *sight == Sight::unknown || *sight == Sight::blot || *sight == Sight::hole) continue;
       ++asked;
       surface += *sight == Sight::surface ? 1 : 0;
@@ -43,8 +43,8 @@ class Rings {
     const Vec3 point = extent_.origin + height * frame.col(2) + cylinder_.radius * out;
     if (!(point.z() > 0.0) || !faces(cylinder_, concave_, point)) return std::nullopt;
     const ImageRays& rays = image_.rays;
-    const double column = std::round((point.x() / point.z() - rays.x_offset) / rays.x_scale);
-    const double row = std::round((point.y() / point.z() - rays.y_offset) / rays.y_scale);
+    const Eigen::Vector2d pixel = rays.pixelOf(point);
+    const double column = std::round(pixel.x()), row = std::round(pixel.y());
     if (!(0.0 <= column && column < image_.cloud.width && 0.0 <= row && row < image_.cloud.height)) return std::nullopt;
     const int c = static_cast<int>(column), r = static_cast<int>(row);
     const Vec3 ray = rays.through(c, r);
@@ -67,8 +67,8 @@ std::optional<AxisPart> seenEnds(const Cylinder& cylinder, bool concave, const E
   constexpr int kFewest = 2;     // rings: the last one may be half beyond the end
   const double length = extent.size.z(), pixel = std::abs(image.rays.x_scale) * extent.origin.z();
   if (!image.rays.known || !(length > 0.0) || !(pixel > 0.0)) return std::nullopt;
-  const double step = std::max(length / kRingsAlong, pixel);
-  const Rings rings(cylinder, concave, extent, image);
+  const double step = std::max(length / kRingsOfLength, pixel);
+  const RingsInImage rings(cylinder, concave, extent, image);
   // How much is left out at the end that lies in this direction; m.
   const auto goneAt = [&](double direction) {
     int gone = 0;

@@ -65,7 +65,7 @@ class Verification {
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   List<std::uint32_t> unexplained();
 
-  /// Whether the image shows a cylinder or cone where its samples say that it is.
+  /// Whether the image shows a cylinder or cone where its samples say that it is, and no place deep in a ball.
   using IsSeen = std::function<bool(const Segment&)>;
 
   /// Selects anew, fits what was selected again, joins planes that are one, takes apart what leads over tops of nearly

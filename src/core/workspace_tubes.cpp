@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tubes and cones in the image: whether it shows them, and things of one radius on one axis, each a detection of its
-// own; see workspace.h.
+// Tubes, cones and balls in the image: whether it shows them, and things of one radius on one axis, each a detection of
+// its own; see workspace.h.
 #include <algorithm>
 #include <optional>
 
@@ -33,23 +33,23 @@ struct Thing {
 }  // namespace
 
 /// Whether the image shows enough of a cylinder or a cone of samples, at least of one part along its axis; of a ball,
-/// whether the camera does not look into it. What it does
-/// not is refused while others may still have its samples: of 70 things that a simulated Kinect, which is not part of
-/// this, saw in 160 frames and that were missing, 5 lay in a tube or cone that was refused at the end.
-bool Detector::Workspace::isSeen(const Segment& tube, const Cloud& cloud) {
+/// whether the camera does not look into it. What is not seen is refused while others may still have its samples: of 70
+/// things that a simulated Kinect, which is not part of this, saw in 160 frames and that were missing, 5 lay in a tube
+/// or cone that was refused at the end.
+bool Detector::Workspace::isSeen(const Segment& segment, const Cloud& cloud) {
   if (!depth_camera || !isDepthImage(cloud) || arrangement.isApproximate()) return true;
   const PointNoise sigma(verification.fullNoise());
   const AskedImage image{cloud, raysOf(cloud, normal_source), depthRangeOf(params), sigma};
-  if (const Sphere* ball = std::get_if<Sphere>(&tube.candidate.shape)) {
-    return tube.candidate.concave || !isOpen(*ball, image);
+  if (const Sphere* ball = std::get_if<Sphere>(&segment.candidate.shape)) {
+    return segment.candidate.concave || !isOpen(*ball, image);
   }
   Detection found;
-  found.shape = tube.candidate.shape, found.concave = tube.candidate.concave;
+  found.shape = segment.candidate.shape, found.concave = segment.candidate.concave;
   SeenPoints seen_points;
-  seen_points.gather(verification.samples(), tube.inliers);
+  seen_points.gather(verification.samples(), segment.inliers);
   found.extent = measureExtent(found.shape, seen_points, {});
   List<std::uint32_t> pixels;
-  for (const std::uint32_t i : tube.inliers) pixels.push_back(verification.samples().index[i]);
+  for (const std::uint32_t i : segment.inliers) pixels.push_back(verification.samples().index[i]);
   return isSeenSomewhere(found, pixels, image);
 }
 

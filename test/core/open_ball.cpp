@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The primitect developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A ball, a band of it as the tread of a tyre has, a bowl, and a bowl with a ball in it, over a floor.
+// A ball, a band of it as the tread of a tyre has, and a bowl, empty and with something in it, over a floor.
 #include "core/open_ball.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +70,14 @@ class OpenBall : public testing::Test {
   SightsOfBall sights() const { return sightsOf(ball_, {cloud_, rays_, range_, sigma_}); }
   bool open() const { return isOpen(ball_, {cloud_, rays_, range_, sigma_}); }
 
+  /// How many the detector finds.
+  int balls(const Params& params) const {
+    Detector detector{params};
+    int count = 0;
+    for (const Detection& item : detector.detect(cloud_).items) count += kindOf(item.shape) == Kind::sphere ? 1 : 0;
+    return count;
+  }
+
   static constexpr std::uint32_t kWidth = 320, kHeight = 240;
   Sphere ball_{Vec3::Zero(), 0.1};
   DepthRange range_{0.1f, 2.0f};
@@ -114,6 +122,12 @@ TEST_F(OpenBall, ABowlIsNot) {
   EXPECT_FALSE(open());
 }
 
+TEST_F(OpenBall, ABowlWithSomethingInItIsNot) {
+  render(bowl, {-1.0, -0.45});
+  EXPECT_GT(sights().deep, 0.15);
+  EXPECT_FALSE(open());
+}
+
 TEST_F(OpenBall, NotSeenFromWithin) {
   render(band, kTyre);
   ball_.radius = 1.2;
@@ -128,18 +142,24 @@ TEST_F(OpenBall, UnknownRaysDoNotTell) {
 
 /// What the detector makes of a tyre's tread: no ball.
 TEST_F(OpenBall, TheDetectorRefusesIt) {
-  Params params;
-  Detector detector{params};
-  const auto balls = [&] {
-    int count = 0;
-    for (const Detection& item : detector.detect(cloud_).items) count += kindOf(item.shape) == Kind::sphere ? 1 : 0;
-    return count;
-  };
   ball_.radius = 0.2;
   render(whole, {});
-  EXPECT_EQ(balls(), 1);
+  EXPECT_EQ(balls({}), 1);
   render(band, kTyre);
-  EXPECT_EQ(balls(), 0);
+  EXPECT_EQ(balls({}), 0);
+}
+
+/// Where it was not asked of the samples, it is of what is measured.
+TEST_F(OpenBall, TheDetectorRefusesWhatItHasMeasured) {
+  ball_.radius = 0.2;
+  Params params;
+  params.left_out.add(Step::seen_tubes);
+  render(whole, {});
+  EXPECT_EQ(balls(params), 1);
+  render(band, kTyre);
+  EXPECT_EQ(balls(params), 0);
+  params.left_out.add(Step::seen_share);
+  EXPECT_EQ(balls(params), 1);
 }
 
 }  // namespace
