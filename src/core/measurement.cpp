@@ -13,6 +13,7 @@
 #include "core/bent_ends.h"
 #include "core/bent_strip.h"
 #include "core/bias.h"
+#include "core/bulge.h"
 #include "core/clear_points.h"
 #include "core/cone_tip.h"
 #include "core/coverage.h"
@@ -313,6 +314,10 @@ void Measurement::measure(const LabelledPoints& labelled, const List<std::uint32
   // leaving out what contradicts it.
   share *= endWhereItBends(points_, sigma_, detection.shape, detection.extent);
   detection.inlier_count = static_cast<std::uint32_t>(std::lround(share * static_cast<double>(labelled.all)));
+  if (does(Step::trust_in_evenness)) {
+    const Bulge bulge = bulgeOf(detection.shape, points_, detection.extent, sigma_);
+    detection.confidence *= static_cast<float>(trustInStraightSide(bulge));
+  }
   endAtFacesOrTip(detection);
   detection.extent.unseen_ends = truncated.unseen_ends;
   // Where it was seen to its tip it does not go on.

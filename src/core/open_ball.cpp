@@ -58,7 +58,7 @@ SightsOfBall sightsOf(const Sphere& ball, const AskedImage& image) {
   constexpr double kPlaces = 400.0, kFewest = 50.0;  // of the box around the outline; within the outline
   const ImageRays& rays = image.rays;
   if (!rays.known || !(ball.center.z() > ball.radius)) return {};
-  const Vec3 reach(ball.radius, ball.radius, 0.0);  // what of the outline is farther out is at the limb
+  const Vec3 reach(ball.radius, ball.radius, 0.0);  // the outline of a near ball is wider: its limb tells nothing
   const Eigen::Vector2d from = rays.pixelOf(ball.center - reach), to = rays.pixelOf(ball.center + reach);
   const Span columns = spanOf(from.x(), to.x(), image.cloud.width);
   const Span rows = spanOf(from.y(), to.y(), image.cloud.height);

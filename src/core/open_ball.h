@@ -22,7 +22,8 @@ SightsOfBall sightsOf(const Sphere& ball, const AskedImage& image);
 
 /// Whether the camera looks into it, or through it, and sees no bowl. Of tyres and rings that another renderer, which
 /// is not part of this, made, .18 and more of the places show what is deep in them and .05 at most the far side; of
-/// bowls with things in them .3 and .27; of balls none do.
+/// bowls with things in them .3 and .27; of balls none do. A dome on a body that is narrower than its ball, as a
+/// shallow lid on its pot, is refused, too: of one on a cylinder of its width, up to half angles of 45 deg.
 bool isOpen(const Sphere& ball, const AskedImage& image);
 
 }  // namespace primitect

@@ -20,7 +20,7 @@ class RingsInImage {
         concave_(concave),
         extent_(extent),
         image_(image),
-        looking_(cylinder, extent.origin.z(), image) {}
+        looking_(cylinder, extent.origin.z() - cylinder.radius, image) {}
 
   /// Whether the surface is not there, in most of the places that tell.
   bool isGone(double height) const {
@@ -65,14 +65,16 @@ std::optional<AxisPart> seenEnds(const Cylinder& cylinder, bool concave, const E
                                  const AskedImage& image) {
   constexpr double kMost = 0.3;  // of the length
   constexpr int kFewest = 2;     // rings: the last one may be half beyond the end
-  const double length = extent.size.z(), pixel = std::abs(image.rays.x_scale) * extent.origin.z();
+  const double length = extent.size.z();
+  const double pixel = std::max(std::abs(image.rays.x_scale), std::abs(image.rays.y_scale)) * extent.origin.z();
   if (!image.rays.known || !(length > 0.0) || !(pixel > 0.0)) return std::nullopt;
   const double step = std::max(length / kRingsOfLength, pixel);
   const RingsInImage rings(cylinder, concave, extent, image);
   // How much is left out at the end that lies in this direction; m.
   const auto goneAt = [&](double direction) {
     int gone = 0;
-    while (gone * step < kMost * length && rings.isGone(direction * (0.5 * length - (gone + 0.5) * step))) ++gone;
+    while ((gone + 1) * step <= kMost * length && rings.isGone(direction * (0.5 * length - (gone + 0.5) * step)))
+      ++gone;
     return gone < kFewest ? 0.0 : gone * step;
   };
   const double low = goneAt(-1.0), high = goneAt(1.0);

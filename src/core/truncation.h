@@ -30,7 +30,7 @@ class TruncationFinder {
 
   /// Of a shape with these points of the cloud. From the outermost of them the image is followed
   /// along the surface to the first pixel that is not on it, in rows and columns; a tenth of these walks decides, or
-  /// half of those at an end of the axis, or of a plane's longer side:
+  /// where half of those at an end of the axis, or of a plane's longer side, are cut off, every reason of one of these:
   ///   image      it is outside of what the sensor measures
   ///   depth      the surface there is out of range
   ///   occlusion  something clearly nearer hides the surface. What touches it (the table below a can) does not count,

@@ -20,7 +20,8 @@ class UnseenEnds {
   /// begins near it.
   void add(const Vec3& from, const Vec3& step, std::uint8_t cut_off_by);
 
-  /// Bits of End: of those where half of the walks were cut off, or that none tells of.
+  /// Bits of End: of those where half of the walks were cut off, or that none tells of. Of planes, which have no such
+  /// ends, they mean nothing.
   std::uint8_t bits() const;
 
   /// Bits of why the walks at these were cut off; 0 where none was, as of what is seen along its axis.

@@ -65,14 +65,15 @@ class Verification {
   /// Indices of the samples that nothing selected explains, where there are enough of them together for a shape.
   List<std::uint32_t> unexplained();
 
-  /// Whether the image shows a cylinder or cone where its samples say that it is, and no place deep in a ball.
-  using IsSeen = std::function<bool(const Segment&)>;
+  /// What the image says of a cylinder, a cone or a ball of samples. bulges: it may be a slice of a ball.
+  enum class ImageSays { nothing, not_seen, bulges };
+  using AskImage = std::function<ImageSays(const Segment&)>;
 
   /// Selects anew, fits what was selected again, joins planes that are one, takes apart what leads over tops of nearly
   /// one height or tubes of several radii, and then refuses what is not likely enough, or not seen; its samples may
-  /// serve others. No is_seen, or any confidence will do: all are. Then large planes of a depth camera that are less
-  /// even than the rest are added (uneven_planes.h).
-  void conclude(const IsSeen& is_seen = nullptr);
+  /// serve others. No ask_image, or any confidence will do: the image is not asked. Then large planes of a depth camera
+  /// that are less even than the rest are added (uneven_planes.h).
+  void conclude(const AskImage& ask_image = nullptr);
 
   /// What points may stray; samples, which are steadied, less.
   const NoiseModel& noise() const { return point_noise_; }
@@ -153,7 +154,8 @@ class Verification {
   void assess(Segment& segment, const HeldGains& held);
   void assess();
   bool refuseUnlikely();
-  bool refuseUnseen(const IsSeen& is_seen);
+  bool offerBall(const Segment& segment);
+  bool refuseByImage(const AskImage& ask_image);
   bool refuseTwins();
   void refuse(const Segment& segment, Refusal why);
   void addUnevenPlanes();

@@ -204,15 +204,39 @@ bool Verification::refuseTwins() {
   return any;
 }
 
+/// What bulges may be a slice of a ball, which is fitted to its samples and to those near that. False: none fits.
+bool Verification::offerBall(const Segment& segment) {
+  constexpr double kNear = 2.5;  // times the noise: what lies beside the slice
+  Params balls = params_;
+  balls.detect_planes = balls.detect_cylinders = balls.detect_cones = false;
+  if (!balls.detect_spheres || !params_.does(Step::other_kinds)) return false;
+  const ProposalRules usual = rules();
+  const ProposalRules of_balls = {usual.noise, {balls, usual.limits.max_radius}, usual.widen, usual.reach};
+  HeldGains held(samples_.size(), 0.0f);
+  for (const std::uint32_t h : selection_.chosen) {
+    if (h != segment.hypothesis) hold(pool_[h], held);
+  }
+  Hypothesis ball = pool_[segment.hypothesis];
+  if (!bestOfKinds(samples_, held, segment.inliers, of_balls, ball)) return false;
+  join(ball);
+  evaluate(samples_, held, kNear, ball);
+  List<std::uint32_t> near;
+  inliersOf(ball, near);
+  if (bestOfKinds(samples_, held, near, of_balls, ball)) join(ball);
+  return true;
+}
+
 /// A tube through the edge of a table, a cone over three things, or a ball over the tread of a tyre may be as likely on
-/// the samples as what is there.
-bool Verification::refuseUnseen(const IsSeen& is_seen) {
-  if (!is_seen || !(params_.min_confidence > 0.0) || !params_.does(Step::seen_tubes)) return false;
+/// the samples as what is there. What bulges, and is no ball, is judged when it is measured.
+bool Verification::refuseByImage(const AskImage& ask_image) {
+  if (!ask_image || !(params_.min_confidence > 0.0) || !params_.does(Step::seen_tubes)) return false;
   bool any = false;
   for (Segment& segment : segments_) {
-    if (kindOf(segment.candidate.shape) == Kind::plane || is_seen(segment)) continue;
+    if (kindOf(segment.candidate.shape) == Kind::plane) continue;
+    const ImageSays says = ask_image(segment);
+    if (says == ImageSays::nothing || (says == ImageSays::bulges && !offerBall(segment))) continue;
     segment.confidence = 0.0;
-    refuse(segment, Refusal::not_seen);
+    refuse(segment, says == ImageSays::bulges ? Refusal::unlikely : Refusal::not_seen);
     any = true;
   }
   return any;
@@ -245,14 +269,14 @@ void Verification::addUnevenPlanes() {
   }
 }
 
-void Verification::conclude(const IsSeen& is_seen) {
+void Verification::conclude(const AskImage& ask_image) {
   constexpr int kRefusals = 4, kJoins = 4;
   select();
   joinFacets();
   refit();
   for (int k = 0; k < kJoins && joinPlanes(); ++k) selectAgain();
   settle();
-  for (int k = 0; (refuseUnlikely() || refuseUnseen(is_seen) || refuseTwins()) && k < kRefusals; ++k) {
+  for (int k = 0; (refuseUnlikely() || refuseByImage(ask_image) || refuseTwins()) && k < kRefusals; ++k) {
     selectAgain();
     settle();
   }

@@ -247,7 +247,7 @@ void Detector::Workspace::lookCloser(const Cloud& cloud) {
 }
 
 void Detector::Workspace::conclude(const Cloud& cloud) {
-  verification.conclude([&](const Segment& segment) { return isSeen(segment, cloud); });
+  verification.conclude([&](const Segment& segment) { return askImage(segment, cloud); });
   useVerified();
   result.refusals = verification.refusals();
 }

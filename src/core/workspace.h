@@ -117,7 +117,7 @@ struct Detector::Workspace {
   void measureNoise(const Cloud& cloud);
   void useVerified();
   void voteAgain();
-  bool isSeen(const Segment& segment, const Cloud& cloud);
+  Verification::ImageSays askImage(const Segment& segment, const Cloud& cloud);
   void describeSegments(const List<Segment>& described, const Samples& of);
 
   struct PlaneInImage {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/bulge.h"
 #include "core/evidence.h"
 #include "core/extent.h"
 #include "core/far_sides.h"
@@ -17,11 +18,34 @@
 namespace primitect {
 namespace {
 
+using ImageSays = Verification::ImageSays;
+
 /// What samples saw of it; nothing: they saw none of it.
 std::optional<AxisPart> seenBySamples(const AxisPart& part, const Detection& tube) {
   const auto half = static_cast<float>(0.5 * tube.extent.size.z());
   const AxisPart seen = {std::max(part.low, -half), std::min(part.high, half)};
   return seen.low < seen.high ? std::optional<AxisPart>(seen) : std::nullopt;
+}
+
+/// With each of the pixels eight around it that are on the surface, too: samples are few.
+List<std::uint32_t> around(const List<std::uint32_t>& pixels, const Detection& found, const AskedImage& image) {
+  constexpr int kStep = 2;             // pixels next to each other err alike
+  constexpr double kDeviations = 3.0;  // of what is on the surface
+  const Cloud& cloud = image.cloud;
+  const auto width = static_cast<int>(cloud.width), height = static_cast<int>(cloud.height);
+  List<std::uint32_t> on_surface;
+  for (const std::uint32_t pixel : pixels) {
+    const int column = static_cast<int>(pixel) % width, row = static_cast<int>(pixel) / width;
+    for (int k = 0; k < 9; ++k) {
+      const int c = column + kStep * (k % 3 - 1), r = row + kStep * (k / 3 - 1);
+      if (c < 0 || c >= width || r < 0 || r >= height) continue;
+      const auto i = static_cast<std::uint32_t>(r * width + c);
+      if (!cloud.valid(i)) continue;
+      const Vec3 point = cloud.point(i);
+      if (std::abs(distance(found.shape, point)) < kDeviations * image.sigma(point)) on_surface.push_back(i);
+    }
+  }
+  return on_surface;
 }
 
 /// A part that is reported.
@@ -32,16 +56,16 @@ struct Thing {
 
 }  // namespace
 
-/// Whether the image shows enough of a cylinder or a cone of samples, at least of one part along its axis; of a ball,
-/// whether the camera does not look into it. What is not seen is refused while others may still have its samples: of 70
-/// things that a simulated Kinect, which is not part of this, saw in 160 frames and that were missing, 5 lay in a tube
-/// or cone that was refused at the end.
-bool Detector::Workspace::isSeen(const Segment& segment, const Cloud& cloud) {
-  if (!depth_camera || !isDepthImage(cloud) || arrangement.isApproximate()) return true;
+/// Of a cylinder or a cone, whether the image shows too little of it, of every part along its axis, or that it bulges;
+/// of a ball, whether the camera looks into it. What is refused for it is refused while others may still have its
+/// samples: of 70 things that a simulated Kinect, which is not part of this, saw in 160 frames and that were missing, 5
+/// lay in a tube or cone that was refused at the end.
+Verification::ImageSays Detector::Workspace::askImage(const Segment& segment, const Cloud& cloud) {
+  if (!depth_camera || !isDepthImage(cloud) || arrangement.isApproximate()) return ImageSays::nothing;
   const PointNoise sigma(verification.fullNoise());
   const AskedImage image{cloud, raysOf(cloud, normal_source), depthRangeOf(params), sigma};
   if (const Sphere* ball = std::get_if<Sphere>(&segment.candidate.shape)) {
-    return segment.candidate.concave || !isOpen(*ball, image);
+    return segment.candidate.concave || !isOpen(*ball, image) ? ImageSays::nothing : ImageSays::not_seen;
   }
   Detection found;
   found.shape = segment.candidate.shape, found.concave = segment.candidate.concave;
@@ -50,7 +74,11 @@ bool Detector::Workspace::isSeen(const Segment& segment, const Cloud& cloud) {
   found.extent = measureExtent(found.shape, seen_points, {});
   List<std::uint32_t> pixels;
   for (const std::uint32_t i : segment.inliers) pixels.push_back(verification.samples().index[i]);
-  return isSeenSomewhere(found, pixels, image);
+  if (!isSeenSomewhere(found, pixels, image)) return ImageSays::not_seen;
+  if (!params.does(Step::trust_in_evenness)) return ImageSays::nothing;
+  seen_points.gather(cloud, around(pixels, found, image));
+  const Bulge bulge = bulgeOf(found.shape, seen_points, found.extent, sigma);
+  return mayBeSliceOfBall(bulge) ? ImageSays::bulges : ImageSays::nothing;
 }
 
 /// The first part that has enough points keeps the label, each other one gets one of its own. Parts with fewer are of

@@ -71,10 +71,12 @@ class OpenBall : public testing::Test {
   bool open() const { return isOpen(ball_, {cloud_, rays_, range_, sigma_}); }
 
   /// How many the detector finds.
-  int balls(const Params& params) const {
+  int balls(const Params& params) {
     Detector detector{params};
+    const Detections& found = detector.detect(cloud_);
+    refused_ = found.refusals[Refusal::not_seen];
     int count = 0;
-    for (const Detection& item : detector.detect(cloud_).items) count += kindOf(item.shape) == Kind::sphere ? 1 : 0;
+    for (const Detection& item : found.items) count += kindOf(item.shape) == Kind::sphere ? 1 : 0;
     return count;
   }
 
@@ -84,6 +86,7 @@ class OpenBall : public testing::Test {
   PointNoise sigma_{[](const Vec3&) { return 0.001; }};
   Cloud cloud_;
   ImageRays rays_;
+  std::size_t refused_ = 0;  ///< not_seen
 };
 
 TEST_F(OpenBall, ABallIsClosed) {
@@ -147,6 +150,7 @@ TEST_F(OpenBall, TheDetectorRefusesIt) {
   EXPECT_EQ(balls({}), 1);
   render(band, kTyre);
   EXPECT_EQ(balls({}), 0);
+  EXPECT_GT(refused_, 0u) << "so that others may have its samples";
 }
 
 /// Where it was not asked of the samples, it is of what is measured.

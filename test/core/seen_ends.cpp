@@ -77,11 +77,28 @@ TEST_F(SeenEnds, AreBeforeWhatIsNotThere) {
   }
 }
 
-TEST_F(SeenEnds, StayWhereMoreThanThreeTenthsWouldBeGone) {
+TEST_F(SeenEnds, LoseThreeTenthsAtMost) {
   render(false);
   const std::optional<AxisPart> part = ends(0.3);
   ASSERT_TRUE(part);
-  EXPECT_LT(part->low, -kHalf - 0.05) << "other tests than this one refuse it";
+  const double half = kHalf + 0.3;
+  EXPECT_NEAR(part->low, -half + 0.3 * 2.0 * half, 0.02) << "other tests than this one refuse it";
+  EXPECT_NEAR(part->high, half - 0.3 * 2.0 * half, 0.02);
+}
+
+/// An extent of a few pixels, wholly beside the can.
+TEST_F(SeenEnds, LoseThreeTenthsAtMostOfAFewPixels) {
+  render(false);
+  for (int pixels = 1; pixels <= 12; ++pixels) {
+    extent_.origin = can_.point + (kHalf + 0.05) * can_.axis;
+    extent_.size.z() = pixels * rays_.x_scale * extent_.origin.z();
+    const std::optional<AxisPart> part = ends(0.0);
+    const double length = extent_.size.z();
+    EXPECT_EQ(part.has_value(), pixels >= 7) << pixels;
+    if (!part) continue;
+    EXPECT_LE(part->low + 0.5 * length, 0.3 * length + 1e-6) << pixels;
+    EXPECT_LE(0.5 * length - part->high, 0.3 * length + 1e-6) << pixels;
+  }
 }
 
 TEST_F(SeenEnds, StayWhereSomethingHidesThem) {

@@ -52,9 +52,9 @@ class Frame {
     if (verification_.samples().size() == 0) verification_.measureNoise(test::samplesOf(points), candidates);
     addRound(verification_, test::samplesOf(points), candidates);
   }
-  void conclude(const std::vector<SurfacePoint>& points = {}, const Verification::IsSeen& is_seen = nullptr) {
+  void conclude(const std::vector<SurfacePoint>& points = {}, const Verification::AskImage& ask_image = nullptr) {
     verification_.addSamples(test::samplesOf(points));
-    verification_.conclude(is_seen);
+    verification_.conclude(ask_image);
   }
 
   const Verification& verification() const { return verification_; }
@@ -236,12 +236,49 @@ TEST(Verification, RefusesTubesThatAreNotSeenWhileOthersMayHaveTheirSamples) {
     frame.conclude({}, [&](const Segment& tube) {
       ++asked;
       EXPECT_EQ(kindOf(tube.candidate.shape), Kind::cylinder);
-      return is_seen;
+      return is_seen ? Verification::ImageSays::nothing : Verification::ImageSays::not_seen;
     });
     EXPECT_GE(asked, 1);
     EXPECT_EQ(frame.of(Kind::cylinder).size(), is_seen ? 1u : 0u);
     EXPECT_EQ(frame.verification().refusals()[Refusal::not_seen] > 0, !is_seen);
     EXPECT_GE(frame.of(Kind::plane).size(), 1u);
+  }
+}
+
+/// The side that is seen of what curves along the x axis so much of how it curves around it.
+std::vector<SurfacePoint> bulgingTube(double radius, double bulge, double half_length, int count, Random& random) {
+  std::vector<SurfacePoint> points;
+  const double along = radius / bulge;  // radius of the arcs along the axis
+  for (int k = 0; k < count; ++k) {
+    const double at = random.uniform(-half_length, half_length) / along, turn = random.uniform(-1.2, 1.2);
+    const Vec3 out(0.0, std::sin(turn), -std::cos(turn)), normal = std::cos(at) * out + std::sin(at) * Vec3::UnitX();
+    points.push_back({Vec3(0, 0, 1) + (radius - along) * out + along * normal, normal});
+  }
+  return points;
+}
+
+TEST(Verification, TakesABallForATubeThatBulgesWhereOneFits) {
+  struct Case {
+    double bulge;
+    bool is_asked;
+    Kind kind;
+  };
+  for (const Case& one : {Case{0.4, false, Kind::cylinder}, {0.4, true, Kind::sphere}, {0.01, true, Kind::cylinder}}) {
+    Random random(1);
+    const std::vector<SurfacePoint> points = noisy(
+        together({plate(Vec3(-0.4, 0, 1.0), 0.1, 0.2, 300, random), bulgingTube(0.06, one.bulge, 0.05, 300, random)}),
+        random);
+    Frame frame;
+    frame.round(points);
+    frame.conclude({}, [&](const Segment& segment) {
+      const bool ball = kindOf(segment.candidate.shape) == Kind::sphere;
+      return one.is_asked && !ball ? Verification::ImageSays::bulges : Verification::ImageSays::nothing;
+    });
+    for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+      EXPECT_EQ(frame.of(kind).size(), kind == one.kind ? 1u : 0u) << one.bulge << ' ' << kindName(kind);
+    }
+    EXPECT_EQ(frame.verification().refusals()[Refusal::unlikely] > 0, one.kind == Kind::sphere);
+    EXPECT_EQ(frame.verification().refusals()[Refusal::not_seen], 0u);
   }
 }
 
