@@ -68,12 +68,12 @@ std::vector<Lamp> manyLamps(ShadowMap& shadows, std::size_t point_count) {
 }
 
 /// Steps of a search, as shares of the distance: the first, and the one with which it ends.
-struct Steps {
+struct SearchSteps {
   float first, last;
 };
 
 /// To and fro, to the sides and slantwise, as long as that helps.
-Lamp improved(ShadowMap& shadows, std::size_t point_count, const Steps& steps, Point place) {
+Lamp improved(ShadowMap& shadows, std::size_t point_count, const SearchSteps& steps, Point place) {
   constexpr int kMostMoves = 40;
   Lamp lamp = {place, shadows.misfit(place, point_count)};
   float step = steps.first;
