@@ -82,9 +82,9 @@ Bulge bulgeOf(const Shape& shape, const SeenPoints& points, const Extent& extent
 }
 
 double trustInStraightSide(const Bulge& bulge) {
-  // Of some 170 cylinders and cones in recorded frames all have less than .05 at least, but for slices of a bowl, .09; of
-  // 1500 on simulated tables, in heaps, halls and lists, one has more than .04, of 446 in households six. Barrels that
-  // another renderer, which is not part of this, made have .05 to .17.
+  // Of some 170 cylinders and cones in recorded frames all have less than .05 at least, but for slices of a bowl, .09;
+  // of 1500 on simulated tables, in heaps, halls and lists, one has more than .04, of 446 in households six. Barrels
+  // that another renderer, which is not part of this, made have .05 to .17.
   constexpr double kStraight = 0.05, kBulges = 0.09;
   return 1.0 - ramp(kStraight, kBulges, bulge.least);
 }
